@@ -183,7 +183,7 @@ namespace vibrocontact
       throw InputError(load.name + " moves the hub over time, but body 1, " + body_1.name +
                        ", is known at its contact points alone, by poles, which do not say what the hub's "
                        "acceleration does to it: give a roughness or a Normal force.");
-    if (load.hub_displacement && !body_1.description->is_rigid() && !body_1.description->lies_on_half_space())
+    if (load.hub_displacement && body_1.vibrates())
       check_hub_does_not_jump(transient);
     check_drive(transient, rolling_cases(parameters.rolling, parameters.contacts).front(),
                 parameters.placed_contacts());

@@ -43,8 +43,9 @@ namespace vibrocontact
   /// @throws InputError for a table that cannot be read. Collective.
   LoadOverTime load_over_time(const TransientParameters &transient);
 
-  /// Hears of a hub that jumps, at any place within the run's steps (of longer runs, within 20,000 intervals): its acceleration,
-  /// a difference over the step, would be a force that grows with shorter steps without end.
+  /// Hears of a held hub that jumps, anywhere within the steps (of longer runs, within 20,000 intervals): its acceleration,
+  /// a difference over the step, would be a force on the modes of body 1 that grows with shorter steps without end. A jump is found if
+  /// it is a tenth of what the hub moves in a sixteenth of a step, against that motion if it is larger than this.
   /// @throws InputError with the time of the jump. Collective.
   void check_hub_does_not_jump(const TransientParameters &transient);
 
