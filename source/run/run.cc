@@ -118,6 +118,21 @@ namespace vibrocontact
       return kinds;
     }
 
+    /// At the end of each answer: why it is not to be trusted.
+    void say_failures(const Results &results, std::vector<Answer> &answers)
+    {
+      constexpr unsigned int most_said = 3;
+      for (Answer &answer : answers)
+      {
+        unsigned int n = 0;
+        for (const auto &[analysis, message] : results.failures)
+          if (analysis == answer.analysis && ++n <= most_said)
+            answer.lines.push_back("NOT CONVERGED: " + message);
+        if (n > most_said)
+          answer.lines.push_back("and " + std::to_string(n - most_said) + " more, see results.json");
+      }
+    }
+
     /// The end of the record: final results, then the figures, which read them, then the time with these and the
     /// answers, last of all.
     void finish(const std::vector<Analysis> &analyses, const bool figures, RunRecord &record,
@@ -138,7 +153,8 @@ namespace vibrocontact
                                 : results.converged()   ? "converged"
                                                         : "not converged");
       run_log().value("wall time", time_text(seconds_since(begin)));
-      const std::vector<Answer> said = answers(kinds_of_answers(analyses), results.analyses, record.folder);
+      std::vector<Answer> said = answers(kinds_of_answers(analyses), results.analyses, record.folder);
+      say_failures(results, said);
       for (const Answer &answer : said)
       {
         run_log().block("Answer of " + answer.analysis);
