@@ -1,6 +1,9 @@
 #include <vibrocontact/analyses/transient/judge_transient.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/marching/judge_march.h>
 #include <vibrocontact/output/verdict.h>
+
+#include <deal.II/base/numbers.h>
 
 #include <sstream>
 
@@ -19,10 +22,43 @@ namespace vibrocontact
            << " J (negative: they add energy), the imbalance is " << energy.imbalance() << " J. " << remedy;
       return text.str();
     }
+
+    void judge_steps_of_period(const TransientResult &result, const std::vector<double> &omega,
+                               Results &results)
+    {
+      constexpr double least_steps = 8, most_share = 0.5;
+      if (result.steps == 0)
+        return;
+      const double step = result.time / result.steps;
+      double all = 0, fast = 0, strongest_energy = 0;
+      unsigned int strongest = 0;
+      for (unsigned int k = 0; k < omega.size(); ++k)
+      {
+        all += result.kinetic[k];
+        if (omega[k] * step * least_steps <= 2 * dealii::numbers::PI)
+          continue;
+        fast += result.kinetic[k];
+        if (result.kinetic[k] > strongest_energy)
+        {
+          strongest_energy = result.kinetic[k];
+          strongest = k;
+        }
+      }
+      if (!(fast > most_share * all))
+        return;
+      const double period = 2 * dealii::numbers::PI / omega[strongest];
+      refuse("transient",
+             "The steps of the transient are too long for its motion: modes with fewer than " +
+                 number_text(least_steps) + " steps in a period have " + percent_text(fast / all, 0) +
+                 " of the kinetic energy in the second half of the run, the strongest, at " +
+                 number_text(1 / period) + " Hz, has " + number_text(period / step) +
+                 ". Take a Transient/Time step of " + number_text(period / least_steps) + " s or less.",
+             results);
+    }
   } // namespace
 
-  void judge_transient(const TransientResult &result, const StepErrors *const estimated,
-                       const bool interrupted, Results &results)
+  void judge_transient(const TransientResult &result, const std::vector<double> &omega,
+                       const StepErrors *const estimated, const bool interrupted, Results &results)
   {
     const StepErrors errors = estimated ? *estimated : StepErrors();
     const ErrorReport report = {
@@ -31,6 +67,8 @@ namespace vibrocontact
         estimated ? "a run with twice the step" : "",
         {{"estimated_error", "impulse", errors.impulse},
          {"estimated_error_rms_force", "rms normal force", errors.rms_force, result.rms_force()},
+         {"estimated_error_rms_variation", "rms variation of the normal force", errors.rms_variation,
+          result.rms_variation()},
          {"estimated_error_rms_tangential_force", "rms tangential force", errors.rms_tangential,
           result.rms_tangential()}}};
     nlohmann::ordered_json &json = results.analyses["transient"];
@@ -57,5 +95,6 @@ namespace vibrocontact
         doubt(open_energy(result.energy, "The march ended early: mend what ended it first."), results);
     }
     judge_errors(errors, report, " Take a smaller Transient/Time step.", results);
+    judge_steps_of_period(result, omega, results);
   }
 } // namespace vibrocontact

@@ -146,10 +146,12 @@ namespace vibrocontact
           scheme(find_creep_scheme(contact.first().creep_scheme)), drive(drive), state(state), result(result),
           forces(forces_of(state)), now(drive(state.time)),
           step_levels(parameters, contact, solver, pair, now.creepage.speed), next(state),
+          half_time(parameters.end_time / 2),
           // never beyond the end, where tables may stop
           last(std::floor(parameters.end_time / step_levels.shortest() + 1e-6))
     {
       result.contacts.resize(pair.interface.contacts.all.size());
+      result.kinetic.resize(pair.n_modes());
       if (result.steps > 0)
         return;
       result.energy.initial = result.energy.stored = result.energy.available =
@@ -200,6 +202,8 @@ namespace vibrocontact
         result.smallest_gap = std::min(result.smallest_gap, sums.smallest_gap);
       }
       forces = then_forces;
+      for (unsigned int mode = 0; mode < next.v.size() && next.time > half_time; ++mode)
+        result.kinetic[mode] += h / 2 * next.v[mode] * next.v[mode];
       add_step(result.energy, pair, law, scheme, state, now, next, then);
       // the next step overwrites the other one
       std::swap(state, next);
@@ -245,6 +249,7 @@ namespace vibrocontact
     Drive now, then;
     StepLevels step_levels;
     DynamicState next;
+    const double half_time;
     const long long last;
   };
 
@@ -297,6 +302,11 @@ namespace vibrocontact
   double TransientResult::rms_force() const
   {
     return time > 0 ? std::sqrt(force_square / time) : 0;
+  }
+
+  double TransientResult::rms_variation() const
+  {
+    return time > 0 ? std::sqrt(std::max(0., force_square / time - std::pow(impulse / time, 2))) : 0;
   }
 
   double TransientResult::rms_tangential() const
@@ -358,6 +368,10 @@ namespace vibrocontact
         {energy, least_of_rms * rms_force, doubled_step_error(sums.impulse, run.sums.impulse) / divisor});
     add(run.errors, sums.time, impulse, rms_force, parameters.end_time);
     constexpr double least_part = 1e-3;
+    run.errors.rms_variation = doubled_step_error_of(sums.rms_variation(), run.sums.rms_variation(),
+                                                     std::max({sums.rms_variation(), run.sums.rms_variation(),
+                                                               least_part * sums.rms_force()})) /
+                               divisor;
     run.errors.rms_tangential =
         doubled_step_error_of(sums.rms_tangential(), run.sums.rms_tangential(),
                               std::max(sums.rms_tangential(), least_part * sums.rms_force())) /

@@ -64,6 +64,7 @@ namespace vibrocontact
       file("result/level", result.level);
       file("result/time", result.time);
       file("result/seconds", result.seconds);
+      file("result/kinetic", result.kinetic);
       exchange_forces(file.group("result"), result);
       for (std::size_t k = 0; k < result.contacts.size(); ++k)
         exchange_forces(file.group("result/contact_" + std::to_string(k)), result.contacts[k]);
@@ -88,6 +89,7 @@ namespace vibrocontact
       exchange_sums(file, coarse.sums);
       StepErrors &errors = coarse.errors;
       errors.exchange(file);
+      file("errors/rms_variation", errors.rms_variation);
       file("errors/rms_tangential", errors.rms_tangential);
       file("errors/averaged_time", errors.averaged_time);
       file("errors/impulse_square", errors.impulse_square);
@@ -121,7 +123,7 @@ namespace vibrocontact
     }
 
     /// of what is exchanged
-    constexpr int format = 18;
+    constexpr int format = 19;
 
     std::string file_of(const std::string &folder)
     {

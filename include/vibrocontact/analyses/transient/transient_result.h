@@ -36,8 +36,12 @@ namespace vibrocontact
     /// why it did not
     std::string message;
 
-    /// of the normal force, and of the tangential resultant, over the run [N]
+    /// of each mode: integral of half its velocity's square over the second half of the run [J s]
+    std::vector<double> kinetic;
+
+    /// of the normal force, of what it departs from its mean by, and of the tangential resultant, over the run [N]
     double rms_force() const;
+    double rms_variation() const;
     double rms_tangential() const;
   };
 
@@ -47,6 +51,8 @@ namespace vibrocontact
   /// and agree there by chance), and of the impulse than a fifth of the error of the rms force.
   struct StepErrors : MarchErrors
   {
+    /// of the rms that the normal force departs from its mean by, no less than a thousandth of the rms force being its size [-]
+    double rms_variation = 0;
     /// of the rms tangential resultant until then; of less than a thousandth of the normal force, of that [-]
     double rms_tangential = 0;
     /// integrals over the last quarter so far: of 1 and of the squares of what both runs tell [s]
