@@ -118,23 +118,22 @@ namespace vibrocontact
       return kinds;
     }
 
-    /// At the end of each answer: why it is not to be trusted.
-    void say_failures(const Results &results, std::vector<Answer> &answers)
+    /// Why the answers are not to be trusted, last of all.
+    void say_failures(const Results &results)
     {
-      constexpr unsigned int most_said = 3;
-      for (Answer &answer : answers)
-      {
-        unsigned int n = 0;
-        for (const auto &[analysis, message] : results.failures)
-          if (analysis == answer.analysis && ++n <= most_said)
-            answer.lines.push_back("NOT CONVERGED: " + message);
-        if (n > most_said)
-          answer.lines.push_back("and " + std::to_string(n - most_said) + " more, see results.json");
-      }
+      constexpr std::size_t most_said = 3;
+      if (results.failures.empty())
+        return;
+      run_log().block("Not converged");
+      for (std::size_t k = 0; k < std::min(most_said, results.failures.size()); ++k)
+        run_log().line(results.failures[k].message);
+      if (results.failures.size() > most_said)
+        run_log().line("and " + std::to_string(results.failures.size() - most_said) +
+                       " more, see results.json");
     }
 
-    /// The end of the record: final results, then the figures, which read them, then the time with these and the
-    /// answers, last of all.
+    /// The end of the record: final results, then the figures, which read them, then the time with these, the
+    /// answers and why they are not to be trusted.
     void finish(const std::vector<Analysis> &analyses, const bool figures, RunRecord &record,
                 Results &results, const WallClock::time_point begin)
     {
@@ -153,14 +152,14 @@ namespace vibrocontact
                                 : results.converged()   ? "converged"
                                                         : "not converged");
       run_log().value("wall time", time_text(seconds_since(begin)));
-      std::vector<Answer> said = answers(kinds_of_answers(analyses), results.analyses, record.folder);
-      say_failures(results, said);
+      const std::vector<Answer> said = answers(kinds_of_answers(analyses), results.analyses, record.folder);
       for (const Answer &answer : said)
       {
         run_log().block("Answer of " + answer.analysis);
         for (const std::string &line : answer.lines)
           run_log().line(line);
       }
+      say_failures(results);
       results.answers = answers_json(said);
       record.save(results, seconds_since(begin));
     }
