@@ -57,7 +57,8 @@ namespace vibrocontact
     result.tread = body.description->tread_compliance(false);
     result.places = body.description->places();
     result.shapes = body.description->heights();
-    if (number == 0)
+    // a grid of section Contact may end with the body
+    if (number == 0 && parameters.placed_contacts().only().of_body)
       result.at_open_sides = points_at_open_sides(parameters.placed_contacts(), parameters.contacts);
     if (body.description->measured())
     {

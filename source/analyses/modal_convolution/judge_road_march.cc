@@ -58,14 +58,15 @@ namespace vibrocontact
     if (!is_whole)
       return;
     const auto fail = [&](const std::string &text) { refuse("modal convolution", text, results); };
-    const std::string shorter = parameters.is_event_located() ? ""
-                                : parameters.is_convolution() && parameters.memory > 0
-                                    ? " Take a longer Modal convolution/Memory, or a shorter Time step."
-                                    : " Take a shorter Modal convolution/Time step.";
+    const std::string shorter =
+        parameters.is_event_located() ? "" : " Take a shorter Modal convolution/Time step.";
+    const bool forgets = parameters.is_convolution() && parameters.memory > 0;
     if (!errors.failure.empty())
       fail("The error of the modal convolution is not known: " + second + " ended early, " + errors.failure);
     else
-      judge_errors(errors, report, shorter, results);
+      judge_errors(errors, report,
+                   forgets ? " Take a longer Modal convolution/Memory, or a shorter Time step." : shorter,
+                   results);
     const double unseen = result.unseen_share();
     if (!(unseen <= most_unseen_road))
       fail("The road has waves between the steps of the modal convolution, which do not see them: they would "
@@ -75,8 +76,7 @@ namespace vibrocontact
       fail("The contact reaches the outermost contact points, which take " +
            percent_text(result.forces_at_sides / result.forces_meanwhile) +
            " of the force while they are closed: the body touches beside them too, where nothing carries. "
-           "Give it more "
-           "contact points (in a section Contact a larger Half length or Half width), or lower the load.");
+           "Give it more contact points, or lower the load.");
     if (work.has_modes && !(std::abs(work.imbalance()) <= most_open_energy * work.available()))
       fail("The energy account of the modal convolution does not close: " + number_text(work.initial) +
            " J at the start and " + number_text(work.input) + " J put in, and " +
