@@ -361,7 +361,7 @@ namespace vibrocontact
       { return std::accumulate(unseen.begin(), unseen.end() - n_left_out, 0.); };
       const bool oscillates = sum_of(in_jumps) > most_unseen * most_unseen * variation &&
                               variation > 1e-20 * between.size() * mean * mean;
-      return oscillates ? std::sqrt(sum_of(0) / variation) : 0;
+      return oscillates ? std::min(1., std::sqrt(sum_of(0) / variation)) : 0;
     }
   } // namespace
 
@@ -380,12 +380,13 @@ namespace vibrocontact
     smooth.roughness = {};
     const DriveFunction smooth_drive = drive_function(smooth, constant, contacts);
     const Drive first = look(smooth_drive, most_checked_instants);
-    const double n_steps = std::floor(transient.end_time / transient.time_step + 1e-6);
+    const double step = transient.error_tolerance > 0 ? transient.shortest_step : transient.time_step,
+                 n_steps = std::floor(transient.end_time / step + 1e-6);
     const auto check_seen =
         [&](const DriveFunction &drive, const std::string &name, const auto &part, const double n_looks)
     {
-      const double unseen = unseen_variation([&](const double t) { return part(drive(t)); },
-                                             transient.time_step, n_steps, n_looks);
+      const double unseen =
+          unseen_variation([&](const double t) { return part(drive(t)); }, step, n_steps, n_looks);
       if (unseen > 0)
         throw InputError(name + " varies between the steps, which do not see " + percent_text(unseen) +
                          " of its variation (rms): take a shorter Transient/Time step, or a smoother one.");

@@ -84,7 +84,8 @@ namespace vibrocontact
       throw InputError(
           "Transient/Signals/Sound full scale lets sounds grow with the run, which needs steps of one "
           "length, but Transient/Error tolerance makes them differ: leave one of both out.");
-    windows.check("Transient", transient.time_step, transient.end_time);
+    windows.check("Transient", transient.error_tolerance > 0 ? transient.shortest_step : transient.time_step,
+                  transient.end_time);
     for (const ProbeRequest &probe : parse_probes(probes))
       if (!probe.name.empty() && std::find(bodies.begin(), bodies.end(), probe.body) == bodies.end())
         throw InputError("Transient/Signals/Probes: probe '" + probe.name + "' is on '" + probe.body +
