@@ -311,8 +311,8 @@ namespace vibrocontact
     print(result);
     say_residual_damping(parameters, *prepared.prepared, pair,
                          dominant_frequencies(results.analyses["transient"]), "transient", results);
-    judge_transient(result, pair.omega, companion ? &companion->errors : nullptr, results.stopped_by != 0,
-                    results);
+    judge_transient(result, pair.omega, own.error_tolerance > 0, companion ? &companion->errors : nullptr,
+                    results.stopped_by != 0, results);
   }
 
   namespace

@@ -146,12 +146,12 @@ namespace vibrocontact
           scheme(find_creep_scheme(contact.first().creep_scheme)), drive(drive), state(state), result(result),
           forces(forces_of(state)), now(drive(state.time)),
           step_levels(parameters, contact, solver, pair, now.creepage.speed), next(state),
-          half_time(parameters.end_time / 2),
+          half_time(parameters.end_time / 2), propagates_exactly(parameters.propagates_exactly()),
           // never beyond the end, where tables may stop
           last(std::floor(parameters.end_time / step_levels.shortest() + 1e-6))
     {
       result.contacts.resize(pair.interface.contacts.all.size());
-      result.kinetic.resize(pair.n_modes());
+      result.modal_motions.resize(pair.n_modes());
       if (result.steps > 0)
         return;
       result.energy.initial = result.energy.stored = result.energy.available =
@@ -202,8 +202,7 @@ namespace vibrocontact
         result.smallest_gap = std::min(result.smallest_gap, sums.smallest_gap);
       }
       forces = then_forces;
-      for (unsigned int mode = 0; mode < next.v.size() && next.time > half_time; ++mode)
-        result.kinetic[mode] += h / 2 * next.v[mode] * next.v[mode];
+      add_modal_motions(h);
       add_step(result.energy, pair, law, scheme, state, now, next, then);
       // the next step overwrites the other one
       std::swap(state, next);
@@ -225,6 +224,23 @@ namespace vibrocontact
       forces.of_contacts = contacts.resultants(at.R);
       forces.on_body = contacts.force_on(0, forces.of_contacts);
       return forces;
+    }
+
+    /// The exact propagator has no error of modes that nothing touches.
+    void add_modal_motions(const double h)
+    {
+      if (state.time <= half_time && next.time > half_time)
+        result.modal_motions.assign(pair.n_modes(), {});
+      if (next.time <= half_time || (propagates_exactly && next.R.all_zero() && state.R.all_zero()))
+        return;
+      for (unsigned int k = 0; k < pair.n_modes(); ++k)
+      {
+        TransientResult::ModalMotion &motion = result.modal_motions[k];
+        motion.time += h;
+        motion.q += h * next.q[k];
+        motion.q_square += h * next.q[k] * next.q[k];
+        motion.v_square += h * next.v[k] * next.v[k];
+      }
     }
 
     /// Two tangential components, then the normal one.
@@ -250,6 +266,7 @@ namespace vibrocontact
     StepLevels step_levels;
     DynamicState next;
     const double half_time;
+    const bool propagates_exactly;
     const long long last;
   };
 

@@ -64,7 +64,14 @@ namespace vibrocontact
       file("result/level", result.level);
       file("result/time", result.time);
       file("result/seconds", result.seconds);
-      file("result/kinetic", result.kinetic);
+      std::vector<double> motions;
+      for (const TransientResult::ModalMotion &one : result.modal_motions)
+        motions.insert(motions.end(), {one.time, one.q, one.q_square, one.v_square});
+      file("result/modal_motions", motions);
+      result.modal_motions.resize(motions.size() / 4);
+      for (std::size_t k = 0; k < result.modal_motions.size(); ++k)
+        result.modal_motions[k] = {motions[4 * k], motions[4 * k + 1], motions[4 * k + 2],
+                                   motions[4 * k + 3]};
       exchange_forces(file.group("result"), result);
       for (std::size_t k = 0; k < result.contacts.size(); ++k)
         exchange_forces(file.group("result/contact_" + std::to_string(k)), result.contacts[k]);

@@ -176,19 +176,23 @@ namespace vibrocontact
     std::string cycle_text(const nlohmann::ordered_json &signal)
     {
       using namespace answer_parts;
-      if (number(signal, "slow_part") > most_slow_part)
-        return text("%s: varies by %.4g %s (rms) more slowly than two periods in the last part of the run, "
-                    "whose length is "
-                    "Transient/Signals/Spectrum duration",
-                    word(signal, "name").c_str(), number(signal, "rms"), word(signal, "unit").c_str());
+      std::string level;
+      if (is_given(signal, "level_dB"))
+        level = text(", level %.1f dB (rms re %g m/s)", number(signal, "level_dB"),
+                     number(signal, "level_reference_m_s"));
+      const double slow = number(signal, "slow_part");
+      if (slow > most_slow_part)
+        return text("%s: %.4g %s (rms) are slower than two periods in the last part of the run (see "
+                    "Transient/Signals/Spectrum duration)",
+                    word(signal, "name").c_str(), number(signal, "rms") * std::sqrt(slow),
+                    word(signal, "unit").c_str()) +
+               level;
       const nlohmann::ordered_json &cycle = signal["cycle"];
       const double amplitude = number(cycle, "amplitude"), drift = number(cycle, "drift"),
                    spread = number(cycle, "spread");
       std::string line = text("%s: %.6g Hz, amplitude %.4g %s", word(signal, "name").c_str(),
                               number(cycle, "frequency_Hz"), amplitude, word(signal, "unit").c_str());
-      if (is_given(signal, "level_dB"))
-        line += text(", level %.1f dB (rms re %g m/s)", number(signal, "level_dB"),
-                     number(signal, "level_reference_m_s"));
+      line += level;
       const double periods = number(cycle, "periods");
       const std::string change = text("%+.2g %% over the last %.0f periods", 100 * drift, periods);
       if (drift > 1 || drift < -0.5)

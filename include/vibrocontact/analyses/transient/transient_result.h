@@ -36,8 +36,12 @@ namespace vibrocontact
     /// why it did not
     std::string message;
 
-    /// of each mode: integral of half its velocity's square over the second half of the run [J s]
-    std::vector<double> kinetic;
+    /// Of a mode, over what of the second half of the run counts (TransientMarch): the time, and integrals of q, q^2 and v^2.
+    struct ModalMotion
+    {
+      double time = 0, q = 0, q_square = 0, v_square = 0;
+    };
+    std::vector<ModalMotion> modal_motions;
 
     /// of the normal force, of what it departs from its mean by, and of the tangential resultant, over the run [N]
     double rms_force() const;
