@@ -1,16 +1,20 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 namespace vibrocontact
 {
+  /// Size of F where it cannot be evaluated: larger than any other.
+  constexpr double not_evaluated = std::numeric_limits<double>::max();
+
   /// Equations F(x) = 0 as Newton's method sees them. They keep what belongs to the last x that was evaluated: matrices,
   /// factors and work vectors are theirs, and how the step is found.
   class NewtonEquations
   {
   public:
     virtual ~NewtonEquations() = default;
-    /// F at x. @return its size, in the measure in which it is to fall
+    /// F at x. @return its size, in the measure in which it is to fall; not_evaluated: there is none
     virtual double evaluate(const std::vector<double> &x) = 0;
     /// Of every x that is kept, right after evaluate(). @param size of F there @return whether x will do
     virtual bool keep(const std::vector<double> &x, double size) = 0;
@@ -41,6 +45,7 @@ namespace vibrocontact
     unsigned int iterations = 0;
     /// of F at x
     double size = 0;
+    bool is_evaluated() const { return size < not_evaluated; }
   };
 
   /// x += length step with the first length 1, 1/2, ... at which |F| falls, until keep() says that x will do. On return x is the last that

@@ -7,7 +7,6 @@
 #include <vibrocontact/base/wall_clock.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace vibrocontact
 {
@@ -82,7 +81,7 @@ namespace vibrocontact
         settings.max_iterations = parameters.max_newton_iterations;
         const NewtonResult found = solve_by_newton(balance, settings, x);
         one.converged = found.converged;
-        if (found.size < std::numeric_limits<double>::max())
+        if (found.is_evaluated())
           one.residual = found.size;
         one.newton_iterations = found.iterations;
         one.n_products = balance.n_products;

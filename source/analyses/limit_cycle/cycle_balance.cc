@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 
 namespace vibrocontact
 {
@@ -172,7 +171,7 @@ namespace vibrocontact
     catch (const ConvergenceError &error)
     {
       failure = error.what();
-      return std::numeric_limits<double>::max();
+      return not_evaluated;
     }
   }
 
@@ -181,7 +180,7 @@ namespace vibrocontact
     const DenseVector x(given.begin(), given.end());
     omega = given.back();
     if (!(omega > 0))
-      return std::numeric_limits<double>::max();
+      return not_evaluated;
     response.set_frequency(omega);
     if (!problem.A)
     {
@@ -229,7 +228,7 @@ namespace vibrocontact
     left_over = harmonics(forces);
     left_of_resultant = resultants(change);
     const double size = std::sqrt((squares(left_over) + left_of_resultant.norm_sqr()) / squares(change));
-    return std::isfinite(size) ? size : std::numeric_limits<double>::max();
+    return std::isfinite(size) ? size : not_evaluated;
   }
 
   void CycleBalance::set_friction(const double *const seen_slip)

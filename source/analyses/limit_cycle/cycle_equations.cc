@@ -3,7 +3,6 @@
 #include <vibrocontact/base/exceptions.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace vibrocontact
 {
@@ -27,7 +26,7 @@ namespace vibrocontact
     catch (const ConvergenceError &error)
     {
       failure = error.what();
-      return std::numeric_limits<double>::max();
+      return not_evaluated;
     }
     rest -= start;
     DenseVector motion = start;

@@ -7,7 +7,6 @@
 #include <vibrocontact/base/wall_clock.h>
 
 #include <cmath>
-#include <limits>
 
 namespace vibrocontact
 {
@@ -111,7 +110,7 @@ namespace vibrocontact
         cycle.converged = result.converged;
         cycle.newton_iterations += result.iterations;
         cycle.residual.reset();
-        if (result.size < std::numeric_limits<double>::max())
+        if (result.is_evaluated())
           cycle.residual = result.size;
         cycle.state = DenseVector(x.begin(), x.end() - 1);
         cycle.period = x.back();
