@@ -16,7 +16,7 @@ namespace vibrocontact
   {
     bool varies(const Signal &signal)
     {
-      if (signal.size() < 16)
+      if (signal.size() < least_samples_of_spectrum)
         return false;
       const double mean =
           std::accumulate(signal.values.begin(), signal.values.end(), 0.) / double(signal.size());
@@ -101,8 +101,9 @@ namespace vibrocontact
           if (&one == &signals.front())
             result["dominant_frequencies_Hz"].push_back(peak.frequency);
         }
-        json["slow_part"] = slow_part(late);
-        json["rms"] = rms(late);
+        const double size = rms(late);
+        json["slow_part"] = slow_part(late, peaks);
+        json["rms"] = size;
         if (!peaks.empty())
         {
           const CycleMeasure cycle = measure_cycle(late, peaks.front().frequency);
@@ -111,7 +112,7 @@ namespace vibrocontact
         }
         if (one.unit == "m/s")
         {
-          json["level_dB"] = 20 * std::log10(rms(late) / velocity_reference);
+          json["level_dB"] = 20 * std::log10(size / velocity_reference);
           json["level_reference_m_s"] = velocity_reference;
         }
       }

@@ -1,18 +1,13 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/marching/signal_windows.h>
+#include <vibrocontact/numerics/spectrum.h>
 #include <vibrocontact/output/verdict.h>
 
 #include <tuple>
 
 namespace vibrocontact
 {
-  namespace
-  {
-    /// of spectral_peaks()
-    constexpr double least_samples = 16;
-  } // namespace
-
   void SignalWindows::declare_parameters(dealii::ParameterHandler &prm, const std::string &latest)
   {
     using dealii::Patterns::Double;
@@ -28,10 +23,10 @@ namespace vibrocontact
 
   void SignalWindows::check(const std::string &section, const double step, const double end_time) const
   {
-    if (spectrum_duration > 0 && spectrum_duration < least_samples * step)
+    if (spectrum_duration > 0 && spectrum_duration < least_samples_of_spectrum * step)
       throw InputError(section + "/Signals/Spectrum duration is " + number_text(spectrum_duration) +
-                       " s, but a spectrum takes " + number_text(least_samples) + " steps at least, " +
-                       number_text(least_samples * step) +
+                       " s, but a spectrum takes " + std::to_string(least_samples_of_spectrum) +
+                       " steps at least, " + number_text(least_samples_of_spectrum * step) +
                        " s: make it longer, or 0 for the second half of the run.");
     if (growth_begin >= end_time)
       throw InputError(section + "/Signals/Growth begin is " + number_text(growth_begin) + " s, but " +

@@ -42,7 +42,7 @@ namespace vibrocontact
   std::vector<SpectralPeak> spectral_peaks(const Signal &signal, const unsigned int n, const double floor)
   {
     std::vector<SpectralPeak> peaks;
-    if (signal.size() < 16)
+    if (signal.size() < least_samples_of_spectrum)
       return peaks;
     const std::vector<double> a = amplitude_spectrum(signal);
     const auto [low, high] = std::minmax_element(signal.values.begin(), signal.values.end());
@@ -69,13 +69,13 @@ namespace vibrocontact
     return peaks;
   }
 
-  double slow_part(const Signal &signal)
+  double slow_part(const Signal &signal, const std::vector<SpectralPeak> &peaks)
   {
-    if (signal.size() < 16)
+    if (signal.size() < least_samples_of_spectrum)
       return 0;
     const std::vector<double> a = amplitude_spectrum(signal);
     double lowest = std::numeric_limits<double>::infinity();
-    for (const SpectralPeak &peak : spectral_peaks(signal))
+    for (const SpectralPeak &peak : peaks)
       lowest = std::min(lowest, peak.frequency * padding * signal.size() * signal.step);
     double slow = 0, all = 0;
     for (std::size_t k = 0; k < a.size(); ++k)

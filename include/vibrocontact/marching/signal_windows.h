@@ -18,7 +18,7 @@ namespace vibrocontact
 
     /// @param latest end of growth rates if none is given, in words
     void declare_parameters(dealii::ParameterHandler &prm, const std::string &latest);
-    /// @param section of the analysis @param end_time of its motion [s] @throws InputError
+    /// @param section of the analysis @param step of its signals, @param end_time of its motion [s] @throws InputError
     void check(const std::string &section, double step, double end_time) const;
     /// Says in the results that the run is shorter than these.
     void judge(const std::string &section, double end_time, Results &results) const;

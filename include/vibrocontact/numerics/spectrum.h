@@ -4,6 +4,9 @@
 
 namespace vibrocontact
 {
+  /// No spectrum is made of fewer.
+  constexpr unsigned int least_samples_of_spectrum = 16;
+
   /// A line of a spectrum: frequency [Hz] and amplitude of its sine [unit of the signal].
   struct SpectralPeak
   {
@@ -23,6 +26,7 @@ namespace vibrocontact
   std::vector<SpectralPeak> spectral_peaks(const Signal &signal, unsigned int n = 10, double floor = 1e-2);
 
   /// Share of the mean square, under the same window, of motions slower than two periods in the signal's duration, which no peak is
-  /// found of. The skirts of peaks are not counted. 0 of a constant signal and of less than 16 samples.
-  double slow_part(const Signal &signal);
+  /// found of. The skirts of peaks are not counted. 0 of a constant signal and of too few samples.
+  /// @param peaks spectral_peaks()
+  double slow_part(const Signal &signal, const std::vector<SpectralPeak> &peaks);
 } // namespace vibrocontact

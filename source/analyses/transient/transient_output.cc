@@ -191,8 +191,8 @@ namespace vibrocontact
       const double amplitude = number(cycle, "amplitude"), drift = number(cycle, "drift"),
                    spread = number(cycle, "spread");
       std::string line = text("%s: %.6g Hz, amplitude %.4g %s", word(signal, "name").c_str(),
-                              number(cycle, "frequency_Hz"), amplitude, word(signal, "unit").c_str());
-      line += level;
+                              number(cycle, "frequency_Hz"), amplitude, word(signal, "unit").c_str()) +
+                         level;
       const double periods = number(cycle, "periods");
       const std::string change = text("%+.2g %% over the last %.0f periods", 100 * drift, periods);
       if (drift > 1 || drift < -0.5)
