@@ -350,11 +350,8 @@ namespace vibrocontact
     Side open_side(const ContactGrid &grid, const SurfaceEnds &ends, const bool rolls,
                    const unsigned int point)
     {
-      const unsigned int i = point % grid.n_x, j = point / grid.n_x,
-                         free_upstream = rolls           ? 2
-                                         : ends.upstream ? 0
-                                                         : 1;
-      if (i < free_upstream)
+      const unsigned int i = point % grid.n_x, j = point / grid.n_x, free_at_rest = ends.upstream ? 0 : 1;
+      if (i < (rolls ? 2 : free_at_rest))
         return Side::upstream;
       if (i + 1 == grid.n_x && !ends.downstream)
         return Side::downstream;
@@ -370,25 +367,23 @@ namespace vibrocontact
       if (grid.whole_surface && (!rolls || contact.friction == 0))
         return;
       const SurfaceEnds ends = contact.ends(grid);
-      const auto larger = [&](const std::string &entry)
-      { return grid.of_body ? "give the body more contact points" : "enlarge " + contact.section + entry; };
       for (unsigned int point = 0; point < grid.n_points(); ++point)
       {
         const Side side =
             status[point] == ContactStatus::open ? Side::none : open_side(grid, ends, rolls, point);
-        if (side == Side::upstream)
-          throw InputError(
-              "The contact reaches the upstream side of the contact grid (x = " + number_text(grid.x(point)) +
-              " m)" + (rolls ? ", where two columns must stay free: " : ": ") + larger("/Half length") +
-              " or lower the load.");
-        if (side == Side::downstream)
-          throw InputError("The contact reaches the downstream side of the contact grid (x = " +
-                           number_text(grid.x(point)) + " m): " + larger("/Half length") +
-                           " or lower the load.");
-        if (side == Side::lateral)
-          throw InputError(
-              "The contact reaches the lateral side of the contact grid (y = " + number_text(grid.y(point)) +
-              " m): " + larger("/Half width") + " or lower the load.");
+        if (side == Side::none)
+          continue;
+        const bool upstream = side == Side::upstream, lateral = side == Side::lateral;
+        const std::string name = upstream  ? "upstream"
+                                 : lateral ? "lateral"
+                                           : "downstream",
+                          place = lateral ? "y = " + number_text(grid.y(point))
+                                          : "x = " + number_text(grid.x(point)),
+                          entry = contact.section + (lateral ? "/Half width" : "/Half length");
+        throw InputError("The contact reaches the " + name + " side of the contact grid (" + place + " m)" +
+                         (upstream && rolls ? ", where two columns must stay free: " : ": ") +
+                         (grid.of_body ? "give the body more contact points" : "enlarge " + entry) +
+                         " or lower the load.");
       }
     }
   } // namespace

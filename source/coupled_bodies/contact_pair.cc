@@ -1,8 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
 
-#include <deal.II/lac/lapack_templates.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -58,8 +58,9 @@ namespace vibrocontact
     result.places = body.description->places();
     result.shapes = body.description->heights();
     // a grid of section Contact may end with the body
-    if (number == 0 && parameters.placed_contacts().only().of_body)
-      result.at_open_sides = points_at_open_sides(parameters.placed_contacts(), parameters.contacts);
+    const PlacedContacts contacts = parameters.placed_contacts();
+    if (number == 0 && contacts.only().of_body)
+      result.at_open_sides = points_at_open_sides(contacts, parameters.contacts);
     if (body.description->measured())
     {
       result.body = identified_body(parameters, measured, body, use.contact_step);
@@ -86,7 +87,7 @@ namespace vibrocontact
         std::vector<ContactBody> bodies;
         for (const BodyParameters &one : parameters.scene.bodies)
           bodies.push_back({&one, &one == &body ? reduced : nullptr});
-        result.shapes = contact_interface(bodies, parameters.contacts, parameters.placed_contacts()).gap;
+        result.shapes = contact_interface(bodies, parameters.contacts, contacts).gap;
       }
       for (unsigned int i = 0; i < result.shapes.size(); ++i)
         result.shapes[i] += reduced->residual_load[i];

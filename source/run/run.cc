@@ -9,6 +9,7 @@
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/base/wall_clock.h>
+#include <vibrocontact/output/answer_parts.h>
 #include <vibrocontact/output/answers.h>
 #include <vibrocontact/output/figures.h>
 #include <vibrocontact/output/run_record.h>
@@ -121,15 +122,16 @@ namespace vibrocontact
     /// Why the answers are not to be trusted, last of all.
     void say_failures(const Results &results)
     {
-      constexpr std::size_t most_said = 3;
+      using namespace answer_parts;
       if (results.failures.empty())
         return;
-      run_log().block("Not converged");
+      Lines lines;
       for (std::size_t k = 0; k < std::min(most_said, results.failures.size()); ++k)
-        run_log().line(results.failures[k].message);
-      if (results.failures.size() > most_said)
-        run_log().line("and " + std::to_string(results.failures.size() - most_said) +
-                       " more, see results.json");
+        lines.push_back(results.failures[k].message);
+      say_more(results.failures.size(), "reasons in results.json", lines);
+      run_log().block("Not converged");
+      for (const std::string &line : lines)
+        run_log().line(line);
     }
 
     /// The end of the record: final results, then the figures, which read them, then the time with these, the
