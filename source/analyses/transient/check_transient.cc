@@ -140,7 +140,7 @@ namespace vibrocontact
             "there reactions weighted as other forces ring with growing amplitude; set Transient/Reaction to "
             "end of step" +
             (elements ? "." : ", or " + softer + "."));
-      if (transient.error_tolerance > 0)
+      if (transient.adapts_steps())
         throw InputError(
             (elements ? "Section Transient gives an Error tolerance, but with Model = finite elements the "
                         "contact points have mass, whose"

@@ -380,8 +380,7 @@ namespace vibrocontact
     smooth.roughness = {};
     const DriveFunction smooth_drive = drive_function(smooth, constant, contacts);
     const Drive first = look(smooth_drive, most_checked_instants);
-    const double step = transient.error_tolerance > 0 ? transient.shortest_step : transient.time_step,
-                 n_steps = std::floor(transient.end_time / step + 1e-6);
+    const double step = transient.least_step(), n_steps = std::floor(transient.end_time / step + 1e-6);
     const auto check_seen =
         [&](const DriveFunction &drive, const std::string &name, const auto &part, const double n_looks)
     {

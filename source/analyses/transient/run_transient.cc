@@ -311,7 +311,7 @@ namespace vibrocontact
     print(result);
     say_residual_damping(parameters, *prepared.prepared, pair,
                          dominant_frequencies(results.analyses["transient"]), "transient", results);
-    judge_transient(result, pair.omega, own.error_tolerance > 0, companion ? &companion->errors : nullptr,
+    judge_transient(result, pair.omega, own.adapts_steps(), companion ? &companion->errors : nullptr,
                     results.stopped_by != 0, results);
   }
 
@@ -355,7 +355,7 @@ namespace vibrocontact
                   "Perturbed mode, Normal force, Hub displacement, Exciting force, Drive table, "
                   "Error estimate, "
                   "History interval, Checkpoint interval");
-      entries.add_if(own.error_tolerance > 0, "Transient/Error tolerance is above 0", section,
+      entries.add_if(own.adapts_steps(), "Transient/Error tolerance is above 0", section,
                      "Shortest time step");
       entries.add_if(!own.propagates_exactly(), "Transient/Integrator is theta method", section, "Theta");
       entries.add_if(rubs && own.is_reduced() && yields_beside_modes(parameters),

@@ -53,9 +53,8 @@ namespace vibrocontact
     void check_frames(const SignalParameters &signals, const TransientParameters &transient)
     {
       std::ostringstream text;
-      const double step = transient.error_tolerance > 0 ? transient.shortest_step : transient.time_step,
-                   frames = 1 + std::floor((transient.end_time - signals.patch_begin) /
-                                               std::max(step, signals.patch_interval) +
+      const double frames = 1 + std::floor((transient.end_time - signals.patch_begin) /
+                                               std::max(transient.least_step(), signals.patch_interval) +
                                            1e-6);
       if (signals.patch_begin > transient.end_time)
         text << "Transient/Signals/Patch begin is " << signals.patch_begin << " s, but Transient/End time is "
@@ -80,12 +79,11 @@ namespace vibrocontact
       throw InputError(
           "Transient/Signals/Sound full scale is below 1e-20 m/s, over which velocities are no numbers of "
           "a sound: make it larger.");
-    if (streams_sound() && transient.error_tolerance > 0)
+    if (streams_sound() && transient.adapts_steps())
       throw InputError(
           "Transient/Signals/Sound full scale lets sounds grow with the run, which needs steps of one "
           "length, but Transient/Error tolerance makes them differ: leave one of both out.");
-    windows.check("Transient", transient.error_tolerance > 0 ? transient.shortest_step : transient.time_step,
-                  transient.end_time);
+    windows.check("Transient", transient.least_step(), transient.end_time);
     for (const ProbeRequest &probe : parse_probes(probes))
       if (!probe.name.empty() && std::find(bodies.begin(), bodies.end(), probe.body) == bodies.end())
         throw InputError("Transient/Signals/Probes: probe '" + probe.name + "' is on '" + probe.body +

@@ -13,7 +13,7 @@ namespace vibrocontact
 
     unsigned int count_levels(const TransientParameters &parameters)
     {
-      return parameters.error_tolerance > 0
+      return parameters.adapts_steps()
                  ? 1 + std::ceil(std::log2(parameters.time_step / parameters.shortest_step) - 1e-9)
                  : 1;
     }
@@ -102,8 +102,7 @@ namespace vibrocontact
       result.factorisations += solution.factorisations;
       result.fallbacks += solution.fallbacks;
       result.converged = solution.converged;
-      error =
-          parameters.error_tolerance > 0 && result.converged ? step_error(parameters, pair, state, next) : 0;
+      error = parameters.adapts_steps() && result.converged ? step_error(parameters, pair, state, next) : 0;
       if (k == 0 || (result.converged && error <= parameters.error_tolerance))
         break;
     }

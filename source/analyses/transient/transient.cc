@@ -151,7 +151,6 @@ namespace vibrocontact
           last(std::floor(parameters.end_time / step_levels.shortest() + 1e-6))
     {
       result.contacts.resize(pair.interface.contacts.all.size());
-      result.modal_motions.resize(pair.n_modes());
       if (result.steps > 0)
         return;
       result.energy.initial = result.energy.stored = result.energy.available =

@@ -134,7 +134,7 @@ namespace vibrocontact
     if (!normal_force.empty() && !hub_displacement.empty())
       throw InputError("Section Transient gives expressions of both Normal force and Hub displacement: empty "
                        "one of them.");
-    if (error_tolerance > 0 &&
+    if (adapts_steps() &&
         !(shortest_step > 0 && shortest_step <= time_step && shortest_step >= 1e-6 * time_step))
       throw InputError(
           "Section Transient gives an Error tolerance, for which the Shortest time step has to be "

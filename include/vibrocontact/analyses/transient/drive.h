@@ -50,7 +50,8 @@ namespace vibrocontact
   void check_hub_does_not_jump(const TransientParameters &transient);
 
   /// Hears what is wrong with the drive before anything expensive: makes it and looks at it at the ends of
-  /// the run's steps, at most 20,000 of them, with the roughness at some hundred. Says in the log which load of
+  /// the run's steps, at most 20,000 of them, with the roughness at some hundred, and between them: what varies there by more than a
+  /// fifth is refused (of adapted steps, between the shortest ones). Says in the log which load of
   /// section Rolling it replaces by the other kind.
   /// @throws InputError as drive_function() and what it makes. Collective.
   void check_drive(const TransientParameters &transient, const RollingCase &constant,

@@ -20,6 +20,8 @@ namespace vibrocontact
     /// error per step over the size of the vibration, at which the step is halved, see StepLevels; 0: all
     /// steps are equal; otherwise between this and the time step [s]
     double error_tolerance = 0, shortest_step = 0;
+    bool adapts_steps() const { return error_tolerance > 0; }
+    double least_step() const { return adapts_steps() ? shortest_step : time_step; }
     /// march with twice the step beside the run, see Companion
     bool error_estimate = true;
     /// "theta method" or "exact propagator"; theta
