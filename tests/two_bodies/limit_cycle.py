@@ -56,6 +56,12 @@ on_two = run("balanced_2", scene("limit cycle", BALANCED, PROBES), 2)[0]["limit_
 for one, other in zip(on_two, by_balance):
     check.near("balanced on two ranks", one["frequency_Hz"], other["frequency_Hz"], 1e-9)
 
+# what the steps change: near what a cycle in steps of a quarter says, the same on two ranks
+quarter = run("quarter", scene("limit cycle", section("Limit cycle", entries(Time_step=2.5e-8, Error_estimate="false")), PROBES))[0]["limit_cycle"][0]
+check.near("without an estimate", any("estimate" in key for key in quarter), False, 1e-12, 1)
+check.near("estimated error", cycle["estimated_error_amplitude"] / abs(cycle["amplitude_m_s"] / quarter["amplitude_m_s"] - 1), 1.5, 0.5)
+check.near("estimated error on two ranks", two["estimated_error_amplitude"], cycle["estimated_error_amplitude"], 1e-6)
+
 # amplitudes of the table are those of the period
 rows = table(folder, "limit_cycle_1.csv")
 harmonics = table(folder, "limit_cycle_1_harmonics.csv")

@@ -4,6 +4,7 @@
 #include "cycle_derivatives.h"
 
 #include <vibrocontact/analyses/limit_cycle/balanced_cycle.h>
+#include <vibrocontact/analyses/limit_cycle/cycle_errors.h>
 #include <vibrocontact/analyses/transient/step_levels.h>
 #include <vibrocontact/contact/contact_solvers.h>
 
@@ -105,9 +106,7 @@ namespace
     return at - (after - before) * (after - before) / (8 * curvature);
   }
 
-  /// A cycle by harmonic balance; its probe hears the velocity of the mass.
-  std::vector<BalancedCycle> balanced(const BeltScene &scene, CycleMap &map, const LimitCycle &cycle,
-                                      const std::vector<unsigned int> &harmonics)
+  CycleScene scene_about(const BeltScene &scene)
   {
     CycleScene about;
     about.contacts = scene.contact;
@@ -115,12 +114,26 @@ namespace
     about.shapes = std::make_shared<const PatchShapes>(shapes_of_steps(scene.pair));
     about.drive = scene.drive;
     about.at_rest = scene.at_rest;
-    LimitCycleParameters parameters;
-    parameters.harmonics = harmonics;
+    return about;
+  }
+
+  /// Hears the velocity of the mass.
+  Probe probe_of_mass()
+  {
     Probe mass;
     mass.name = "mass";
     mass.shape = {-1};
-    return balance_cycle(about, cycle, forces_of_period(map, cycle.state, cycle.period), parameters, {mass});
+    return mass;
+  }
+
+  /// A cycle by harmonic balance.
+  std::vector<BalancedCycle> balanced(const BeltScene &scene, CycleMap &map, const LimitCycle &cycle,
+                                      const std::vector<unsigned int> &harmonics)
+  {
+    LimitCycleParameters parameters;
+    parameters.harmonics = harmonics;
+    return balance_cycle(scene_about(scene), cycle, forces_of_period(map, cycle.state, cycle.period),
+                         parameters, {probe_of_mass()});
   }
 
   /// What a halved step makes of errors: times 2^-order; the extrapolation of two steps is off by less than a bound.
@@ -161,6 +174,43 @@ TEST(CycleOnBelt, OfFallingFrictionIsThatOfTheClosedForm)
   // the rate of the residual displacements is a backward difference: errors fall with the step
   for (const std::vector<double> &error : {of_period, of_largest})
     expect_order(1, error, 1.5e-6);
+}
+
+TEST(CycleOnBelt, TheErrorOfItsStepsIsEstimated)
+{
+  const MassOnBelt exact(1e-6);
+  BeltScene scene = exact.scene();
+  const Probe mass = probe_of_mass();
+  const auto expect_near = [](const char *const what, const double estimated, const double error)
+  {
+    std::printf("  %s off by %.2e, estimated %.2e\n", what, error, estimated);
+    EXPECT_GT(estimated, 0.6 * error);
+    EXPECT_LT(estimated, 2 * error);
+  };
+  for (const double theta : {1., 0.6})
+  {
+    scene.transient.residual_theta = theta;
+    CycleMap fine_map = scene.map(8000);
+    const LimitCycle fine = scene.cycle(fine_map);
+    ASSERT_TRUE(fine.converged) << fine.message;
+    const double amplitude =
+        listen_to_cycle(fine_map, fine, scene.pair, scene.contact, {mass}).main_signal().amplitude();
+    for (const unsigned int n_steps : {500u, theta == 1 ? 1001u : 2000u})
+    {
+      CycleMap map = scene.map(n_steps);
+      const LimitCycle cycle = scene.cycle(map);
+      ASSERT_TRUE(cycle.converged) << cycle.message;
+      const CyclePeriod period = listen_to_cycle(map, cycle, scene.pair, scene.contact, {mass});
+      const CycleErrors errors = errors_of_steps(scene_about(scene), scene.transient, scene.solver, {},
+                                                 map.points_that_may_touch(), cycle, period, {mass});
+      EXPECT_EQ(errors.failure, "");
+      EXPECT_EQ(errors.n_steps, (n_steps + 1) / 2);
+      EXPECT_EQ(errors.signal, "mass_velocity_m_s");
+      std::printf("residual theta %.1f, %u steps:\n", theta, n_steps);
+      expect_near("frequency", errors.frequency, std::abs(exact.period / cycle.period - 1));
+      expect_near("amplitude", errors.amplitude, std::abs(period.main_signal().amplitude() / amplitude - 1));
+    }
+  }
 }
 
 TEST(CycleOnBelt, WithAResidualThetaNearAHalfIsMoreExact)

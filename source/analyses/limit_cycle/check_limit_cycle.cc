@@ -44,6 +44,10 @@ namespace vibrocontact
     }
     if (own.starts_from_transient() && !own.transient_folder.empty())
       check_end_of_transient(own.transient_folder, "Limit cycle/Transient folder");
+    if (own.basins.any() && own.roots.size() == 1)
+      throw InputError(
+          "Limit cycle/Basins/Starts asks for motions between cycles, but Limit cycle/Roots has one "
+          "root alone, which leads to one cycle: give another, or leave Roots empty for all.");
     if (own.basins.any() && own.n_multipliers == 0)
       throw InputError(
           "Limit cycle/Basins/Starts asks which cycle wins, but Limit cycle/Multipliers is 0, so that it "

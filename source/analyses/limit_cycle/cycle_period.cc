@@ -1,9 +1,13 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_period.h>
 #include <vibrocontact/numerics/cycle_measure.h>
 
+#include <fftw3.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
+#include <stdexcept>
 
 namespace vibrocontact
 {
@@ -34,6 +38,49 @@ namespace vibrocontact
     for (const double value : values)
       sum += (value - about) * (value - about);
     return std::sqrt(sum / values.size());
+  }
+
+  std::vector<double> CycleSignal::harmonics() const
+  {
+    const unsigned int n = values.size();
+    std::vector<double> in_turn = values;
+    std::vector<std::complex<double>> lines(n / 2 + 1);
+    const fftw_plan plan = fftw_plan_dft_r2c_1d(
+        n, in_turn.data(), reinterpret_cast<fftw_complex *>(lines.data()), FFTW_ESTIMATE);
+    fftw_execute(plan);
+    fftw_destroy_plan(plan);
+    std::vector<double> amplitudes;
+    for (unsigned int k = 0; k < lines.size(); ++k)
+      amplitudes.push_back(std::abs(lines[k]) * (k == 0 || 2 * k == n ? 1. : 2.) / n);
+    return amplitudes;
+  }
+
+  const CycleSignal *CyclePeriod::main_velocity() const
+  {
+    const std::string axial = "rim_axial_velocity_m_s";
+    for (const CycleSignal &probe : probes)
+      if (probe.name.size() >= axial.size() &&
+          probe.name.compare(probe.name.size() - axial.size(), axial.size(), axial) == 0)
+        return &probe;
+    return probes.empty() ? nullptr : &probes.front();
+  }
+
+  const CycleSignal &CyclePeriod::main_signal() const
+  {
+    if (const CycleSignal *const velocity = main_velocity())
+      return *velocity;
+    return *std::max_element(forces.begin(), forces.end(),
+                             [](const CycleSignal &a, const CycleSignal &b)
+                             { return a.amplitude() < b.amplitude(); });
+  }
+
+  const CycleSignal &CyclePeriod::signal(const std::string &name) const
+  {
+    for (const std::vector<CycleSignal> *const list : {&forces, &probes})
+      for (const CycleSignal &one : *list)
+        if (one.name == name)
+          return one;
+    throw std::logic_error("no signal " + name);
   }
 
   CyclePeriod silent_period(const PlacedContacts &contacts, const std::vector<Probe> &probes)

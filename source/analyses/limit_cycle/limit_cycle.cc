@@ -18,6 +18,36 @@ namespace vibrocontact
     constexpr double nearly_closed = 1e-8;
     /// of a disturbance along the motion in a period
     constexpr double most_change_along = 1e-2;
+
+    /// Newton's method from a state and a period, which the cycle has in the end.
+    NewtonResult close(CycleEquations &equations, const unsigned int max_iterations, const DenseVector &state,
+                       const double period, LimitCycle &cycle)
+    {
+      NewtonSettings settings;
+      settings.max_iterations = max_iterations;
+      std::vector<double> x(state.begin(), state.end());
+      x.push_back(period);
+      const NewtonResult result = solve_by_newton(equations, settings, x);
+      cycle.converged = result.converged;
+      cycle.newton_iterations += result.iterations;
+      cycle.residual.reset();
+      if (result.is_evaluated())
+        cycle.residual = result.size;
+      cycle.state = DenseVector(x.begin(), x.end() - 1);
+      cycle.period = x.back();
+      return result;
+    }
+
+    std::string left_over(const double residual)
+    {
+      return "Newton's method ended at a change over a period of " + number_text(residual) + " of the motion";
+    }
+
+    std::unique_ptr<const DenseMatrix> linear_cycle_of(const CycleMap &map, const DynamicState &equilibrium,
+                                                       const double period)
+    {
+      return linear_cycle(map.one_step(equilibrium, period / map.n_steps()), map.n_steps());
+    }
   } // namespace
 
   unsigned int steps_of_period(const StabilityRoot &root, const LimitCycleParameters &parameters)
@@ -85,11 +115,8 @@ namespace vibrocontact
     try
     {
       const RootMotion motion(map, pair, equilibrium, root);
-      const std::unique_ptr<const DenseMatrix> linear =
-          linear_cycle(map.one_step(equilibrium, cycle.period / map.n_steps()), map.n_steps());
+      const std::unique_ptr<const DenseMatrix> linear = linear_cycle_of(map, equilibrium, cycle.period);
       CycleEquations equations(map, map.pack(equilibrium), *linear, parameters.tolerance);
-      NewtonSettings settings;
-      settings.max_iterations = parameters.max_newton_iterations;
       // by harmonics or a given motion first, then by motions that go on for a while
       std::optional<CycleStart> given;
       if (from)
@@ -104,16 +131,8 @@ namespace vibrocontact
           start = given ? *given : start_of_cycle(map, motion, root);
         if (trial > 1)
           let_go_on(map, motion, periods_between[trial - 2], *start);
-        std::vector<double> x(start->state.begin(), start->state.end());
-        x.push_back(start->period);
-        const NewtonResult result = solve_by_newton(equations, settings, x);
-        cycle.converged = result.converged;
-        cycle.newton_iterations += result.iterations;
-        cycle.residual.reset();
-        if (result.is_evaluated())
-          cycle.residual = result.size;
-        cycle.state = DenseVector(x.begin(), x.end() - 1);
-        cycle.period = x.back();
+        const NewtonResult result =
+            close(equations, parameters.max_newton_iterations, start->state, start->period, cycle);
         // rest repeats itself as well; what is left there is rounding
         if (cycle.converged && motion.velocity_in(cycle.state) < 1e-3 * start->velocity)
         {
@@ -124,9 +143,8 @@ namespace vibrocontact
           cycle.message = "no period could be marched from the start: " + equations.failure;
         else if (!cycle.converged)
           cycle.message =
-              "Newton's method ended at a change over a period of " + number_text(*cycle.residual) +
-              " of the motion" +
-              (result.iterations == settings.max_iterations
+              left_over(*cycle.residual) +
+              (result.iterations == parameters.max_newton_iterations
                    ? " after as many iterations as Limit cycle/Max Newton iterations allows"
                : *cycle.residual < nearly_closed ? ", near what rounding permits: raise Limit cycle/Tolerance"
                                                  : where_else) +
@@ -144,6 +162,30 @@ namespace vibrocontact
       judge_cycle(map, parameters, cycle);
     cycle.n_products = map.n_products;
     cycle.n_marched_steps = map.n_marched_steps;
+    return cycle;
+  }
+
+  LimitCycle find_again(CycleMap &map, const DynamicState &equilibrium, const LimitCycle &like,
+                        const LimitCycleParameters &parameters)
+  {
+    const auto begin = WallClock::now();
+    LimitCycle cycle;
+    cycle.root = like.root;
+    cycle.motion = like.motion;
+    cycle.n_steps = map.n_steps();
+    try
+    {
+      const std::unique_ptr<const DenseMatrix> linear = linear_cycle_of(map, equilibrium, like.period);
+      CycleEquations equations(map, map.pack(equilibrium), *linear, parameters.tolerance);
+      close(equations, parameters.max_newton_iterations, like.state, like.period, cycle);
+      if (!cycle.converged)
+        cycle.message = equations.failure.empty() ? left_over(*cycle.residual) : equations.failure;
+    }
+    catch (const ConvergenceError &error)
+    {
+      cycle.message = error.what();
+    }
+    cycle.seconds = seconds_since(begin);
     return cycle;
   }
 } // namespace vibrocontact

@@ -9,13 +9,12 @@ namespace vibrocontact
 
   namespace
   {
-    /// Of the signals of a cycle the first velocity of a probe, or the normal force of scenes without.
+    /// The one by which a cycle is compared.
     const Json &main_signal(const Json &cycle)
     {
       const Json &signals = list(cycle, "signals");
-      const auto heard = std::find_if(signals.begin(), signals.end(),
-                                      [](const Json &signal) { return signal.contains("level_dB"); });
-      return heard == signals.end() ? signals.at(0) : *heard;
+      return *std::find_if(signals.begin(), signals.end(),
+                           [&](const Json &signal) { return signal["name"] == cycle["main_signal"]; });
     }
 
     /// "over Contact/Friction coefficient from 0.1, where its amplitude vanishes, to 0.6: ..."
@@ -110,15 +109,24 @@ namespace vibrocontact
     for (std::size_t k = 0; k < std::min(cycles.size(), most_said); ++k)
     {
       const Json &one = cycles[k];
+      const std::string error =
+          is_given(one, "estimated_error_amplitude")
+              ? text("error of the steps %.2g %%", 100 * number(one, "estimated_error_amplitude"))
+              : "";
       std::string line = text("%.3f Hz", number(one, "frequency_Hz"));
-      if (const Json &signal = main_signal(one); is_given(signal, "level_dB"))
+      const Json &signal = main_signal(one);
+      const bool is_heard = is_given(signal, "level_dB");
+      if (is_heard)
         line += ", " + word(signal, "name") +
-                text(" amplitude %.3g (%.1f dB)", number(signal, "amplitude"), number(signal, "level_dB"));
+                text(" amplitude %.3g (%.1f dB", number(signal, "amplitude"), number(signal, "level_dB")) +
+                (error.empty() ? "" : ", " + error) + ")";
       line +=
           text(", normal force +-%.3g N, some points stick for %.0f %% of the time",
                number(list(one, "signals").at(0), "amplitude"), 100 * number(one, "time_with_stick_share"));
       if (one.contains("stability"))
         line += ", " + word(one["stability"], "verdict");
+      if (!is_heard && !error.empty())
+        line += ", " + error + " of the " + word(signal, "name");
       lines.push_back(line);
       if (const Json &balanced = list(one, "harmonic_balance"); !balanced.empty())
         lines.push_back("  " + balance_answer(*std::max_element(balanced.begin(), balanced.end(),

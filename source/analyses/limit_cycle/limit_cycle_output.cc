@@ -2,11 +2,8 @@
 #include <vibrocontact/marching/signal_output.h>
 #include <vibrocontact/output/answer_parts.h>
 
-#include <fftw3.h>
-
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 namespace vibrocontact
 {
@@ -18,22 +15,6 @@ namespace vibrocontact
     constexpr unsigned int most_harmonics = 40;
     /// a signal that changes by less than this share of its size does not change
     constexpr double rounding = 1e-9;
-
-    /// Amplitudes of the harmonics 0, 1, ... of a periodic signal.
-    std::vector<double> harmonics_of(const CycleSignal &signal)
-    {
-      const unsigned int n = signal.values.size();
-      std::vector<double> values = signal.values;
-      std::vector<std::complex<double>> lines(n / 2 + 1);
-      const fftw_plan plan = fftw_plan_dft_r2c_1d(
-          n, values.data(), reinterpret_cast<fftw_complex *>(lines.data()), FFTW_ESTIMATE);
-      fftw_execute(plan);
-      fftw_destroy_plan(plan);
-      std::vector<double> amplitudes;
-      for (unsigned int k = 0; k < lines.size(); ++k)
-        amplitudes.push_back(std::abs(lines[k]) * (k == 0 || 2 * k == n ? 1. : 2.) / n);
-      return amplitudes;
-    }
 
     /// Those that tables have, in their order.
     std::vector<const CycleSignal *> signals_of(const CyclePeriod &period)
@@ -52,7 +33,7 @@ namespace vibrocontact
               {"mean", signal.mean()},
               {"amplitude", signal.amplitude()},
               {"rms", signal.rms()},
-              {"first_harmonic", harmonics_of(signal).at(1)}};
+              {"first_harmonic", signal.harmonics().at(1)}};
     }
 
     std::string start_of(const LimitCycle &cycle)
@@ -70,17 +51,6 @@ namespace vibrocontact
     {
       const double closed = period.contact_points.mean();
       return closed > 0 ? period.stick_points.mean() / closed : 0.;
-    }
-
-    /// The axial velocity of a wheel's rim, else that of the first probe; null: there are none.
-    const CycleSignal *main_velocity(const CyclePeriod &period)
-    {
-      const std::string axial = "rim_axial_velocity_m_s";
-      for (const CycleSignal &probe : period.probes)
-        if (probe.name.size() >= axial.size() &&
-            probe.name.compare(probe.name.size() - axial.size(), axial.size(), axial) == 0)
-          return &probe;
-      return period.probes.empty() ? nullptr : &period.probes.front();
     }
   } // namespace
 
@@ -114,7 +84,7 @@ namespace vibrocontact
     for (const CycleSignal *const signal : signals_of(period))
     {
       columns.push_back(signal->name);
-      amplitudes.push_back(harmonics_of(*signal));
+      amplitudes.push_back(signal->harmonics());
     }
     Table table(columns,
                 {"Amplitudes of the harmonics of a limit cycle; harmonic 0: the mean, without sign"});
@@ -145,12 +115,16 @@ namespace vibrocontact
     nlohmann::ordered_json json;
     json["start"] = start_of(cycle);
     json["frequency_Hz"] = 1 / cycle.period;
-    if (const CycleSignal *const rim = main_velocity(period))
+    if (const CycleSignal *const rim = period.main_velocity())
       json["amplitude_m_s"] = rim->amplitude();
+    json["main_signal"] = period.main_signal().name;
     if (cycle.stability)
     {
       const CycleStability &stability = *cycle.stability;
-      json["stable"] = stability.is_stable();
+      // of a neutral one it is not known
+      json["stable"] = nullptr;
+      if (stability.is_stable() || stability.is_unstable())
+        json["stable"] = stability.is_stable();
       json["multipliers"] = nlohmann::ordered_json::array();
       for (std::size_t k = 0; k < std::min<std::size_t>(n_multipliers, stability.multipliers.size()); ++k)
       {
@@ -202,20 +176,24 @@ namespace vibrocontact
     return json;
   }
 
+  void add_errors_json(const CycleErrors &errors, nlohmann::ordered_json &cycle)
+  {
+    cycle["error_estimate"] = {{"signal", errors.signal}, {"seconds", errors.seconds}};
+    if (!errors.failure.empty())
+    {
+      cycle["error_estimate"]["message"] = errors.failure;
+      return;
+    }
+    cycle["error_estimate"]["steps_per_period"] = errors.n_steps;
+    cycle["estimated_error_frequency"] = errors.frequency;
+    cycle["estimated_error_amplitude"] = errors.amplitude;
+    cycle["estimated_error_first_harmonic"] = errors.first_harmonic;
+  }
+
   nlohmann::ordered_json balance_json(const std::vector<BalancedCycle> &balanced, const CyclePeriod &period,
                                       const double period_length)
   {
-    // of scenes without probes the force that changes most
-    std::size_t force = 0;
-    for (std::size_t k = 1; k < period.forces.size(); ++k)
-      if (period.forces[k].amplitude() > period.forces[force].amplitude())
-        force = k;
-    const auto heard_in = [&](const CyclePeriod &of) -> const CycleSignal &
-    {
-      const CycleSignal *const velocity = main_velocity(of);
-      return velocity ? *velocity : of.forces[force];
-    };
-    const nlohmann::ordered_json by_steps = signal_json(heard_in(period));
+    const nlohmann::ordered_json by_steps = signal_json(period.main_signal());
     const double size = std::abs(by_steps["mean"].get<double>()) + by_steps["rms"].get<double>();
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const BalancedCycle &one : balanced)
@@ -223,7 +201,7 @@ namespace vibrocontact
       nlohmann::ordered_json json = {{"harmonics", one.n_harmonics}, {"converged", one.converged}};
       if (one.converged)
       {
-        const nlohmann::ordered_json signal = signal_json(heard_in(*one.motion));
+        const nlohmann::ordered_json signal = signal_json(one.motion->signal(by_steps["name"]));
         json["frequency_Hz"] = 1 / one.period;
         json["signal"] = signal["name"];
         json["amplitude"] = signal["amplitude"];
@@ -315,11 +293,12 @@ namespace vibrocontact
     Table table({"root_frequency_Hz", "root_growth_1_s", "root_label", "status", "stability", "frequency_Hz",
                  "amplitude_m_s", "steps_per_period", "normal_force_amplitude_N", "time_with_stick_share",
                  "friction_power_W", "power_into_body_1_W", "largest_growth_1_s", "residual",
-                 "newton_iterations", "seconds"},
+                 "newton_iterations", "seconds", "estimated_error_frequency", "estimated_error_amplitude"},
                 {"Limit cycles by the unstable roots they begin from, or the nearest one to the transient "
                  "that they begin from, then roots from which none was found",
                  "amplitude: axial velocity of the wheel's rim or of the first probe; largest growth: of a "
-                 "small disturbance, by the Floquet multipliers; empty: not known"});
+                 "small disturbance, by the Floquet multipliers; estimated errors: of the steps, relative; "
+                 "empty: not known"});
     for (const nlohmann::ordered_json *const list : {&cycles, &not_found})
       for (const nlohmann::ordered_json &one : *list)
       {
@@ -339,7 +318,8 @@ namespace vibrocontact
                        number("/signals/0/amplitude"), number("/time_with_stick_share"),
                        number("/friction_power_W"), number("/power_into_body_1_W"),
                        number("/multipliers/0/growth_1_s"), number("/residual"), number("/newton_iterations"),
-                       number("/seconds")});
+                       number("/seconds"), number("/estimated_error_frequency"),
+                       number("/estimated_error_amplitude")});
       }
     return table;
   }

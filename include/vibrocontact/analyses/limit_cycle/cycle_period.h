@@ -22,6 +22,8 @@ namespace vibrocontact
     double amplitude() const;
     /// about the mean
     double rms() const;
+    /// amplitudes of the harmonics 0, 1, ..., of 0 the mean without its sign
+    std::vector<double> harmonics() const;
   };
 
   /// A period of a cycle.
@@ -36,6 +38,13 @@ namespace vibrocontact
     CycleSignal friction_power, creepage_power, power_into_body_1;
     /// velocities of the probes [m/s]
     std::vector<CycleSignal> probes;
+
+    /// The axial velocity of a wheel's rim, else that of the first probe; null: there are none.
+    const CycleSignal *main_velocity() const;
+    /// The same, of scenes without probes the force that changes most: what a cycle is compared by.
+    const CycleSignal &main_signal() const;
+    /// Force or velocity of a name that a period of the scene has.
+    const CycleSignal &signal(const std::string &name) const;
   };
 
   /// The signals of a scene, without values yet.

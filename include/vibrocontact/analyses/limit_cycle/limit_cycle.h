@@ -45,6 +45,10 @@ namespace vibrocontact
                               const StabilityRoot &root, const LimitCycleParameters &parameters,
                               const DynamicState *from = nullptr);
 
+  /// The same cycle by the steps of another map, from the state and the period that it was found with; not judged.
+  LimitCycle find_again(CycleMap &map, const DynamicState &equilibrium, const LimitCycle &like,
+                        const LimitCycleParameters &parameters);
+
   /// Whether what repeats itself is a motion (change_along), and what becomes of disturbances (stability); a cycle that is
   /// none, or whose stability is not found, has not converged.
   void judge_cycle(CycleMap &map, const LimitCycleParameters &parameters, LimitCycle &cycle);

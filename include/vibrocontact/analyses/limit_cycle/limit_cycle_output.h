@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/limit_cycle/balanced_cycle.h>
+#include <vibrocontact/analyses/limit_cycle/cycle_errors.h>
 #include <vibrocontact/analyses/limit_cycle/cycle_period.h>
 #include <vibrocontact/base/table.h>
 
@@ -18,6 +19,8 @@ namespace vibrocontact
   /// The object of a cycle in results.json.
   nlohmann::ordered_json cycle_json(const LimitCycle &cycle, const CyclePeriod &period,
                                     unsigned int n_multipliers);
+  /// Its `error_estimate` and, if they are known, the errors.
+  void add_errors_json(const CycleErrors &errors, nlohmann::ordered_json &cycle);
   /// The list of its `harmonic_balance`: by harmonic balance, and how far off that is. @param period by steps
   nlohmann::ordered_json balance_json(const std::vector<BalancedCycle> &balanced, const CyclePeriod &period,
                                       double period_length);
