@@ -2,6 +2,7 @@
 #include <vibrocontact/analyses/identification/identification.h>
 #include <vibrocontact/analyses/modal_convolution/modal_convolution.h>
 #include <vibrocontact/analyses/periodic/make_forced_body.h>
+#include <vibrocontact/analyses/transient/check_drive.h>
 #include <vibrocontact/analyses/transient/check_transient.h>
 #include <vibrocontact/analyses/transient/probes.h>
 #include <vibrocontact/analyses/transient/transient.h>
