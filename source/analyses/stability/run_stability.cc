@@ -155,7 +155,7 @@ namespace vibrocontact
       add_rolling_cases(entries, parameters);
       add_hub(entries, parameters);
       const std::string section = "Stability";
-      const bool paper = parameters.stability.linearisation == "paper",
+      const bool paper = !parameters.stability.is_consistent(),
                  rolls = parameters.rolling.creepage.speed > 0,
                  plane = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
                                      [](const BodyParameters &body) { return body.description->is_plane(); });

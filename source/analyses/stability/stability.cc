@@ -77,7 +77,7 @@ namespace vibrocontact
     if (is_hysteretic() && !is_reduced())
       throw InputError("Stability/Loss is hysteretic, which is that of the reduced model, but Model is " +
                        model + ": set it to reduced, or Loss to viscous.");
-    if (is_hysteretic() && linearisation != "consistent")
+    if (is_hysteretic() && !is_consistent())
       throw InputError("Stability/Loss is hysteretic, which the paper's linearisation does not know: set "
                        "Linearisation to consistent, or Loss to viscous.");
     if (are_of_body_1() && (!is_hysteretic() || second_count))
@@ -89,11 +89,11 @@ namespace vibrocontact
           "Stability/Roots is of body 1, which is not followed from case to case: set Roots of a sweep "
           "to complete, or Roots to all.");
     derivatives.check();
-    if (derivatives.any() && (!is_reduced() || linearisation != "consistent"))
+    if (derivatives.any() && (!is_reduced() || !is_consistent()))
       throw InputError(
           "Stability/Derivatives are those of the reduced model in its consistent linearisation: "
           "set Model to reduced and Linearisation to consistent.");
-    if (follows() && (!is_reduced() || linearisation != "consistent" || second_count))
+    if (follows() && (!is_reduced() || !is_consistent() || second_count))
       throw InputError(
           "Stability/Roots of a sweep is followed, which takes the reduced model in its consistent "
           "linearisation without Second count: set Model to reduced, Linearisation to consistent "
@@ -102,7 +102,7 @@ namespace vibrocontact
       throw InputError(
           "Stability/Upper frequency is for complete lists of roots: set it to 0, or Roots to all, "
           "Roots of a sweep to complete and Derivatives/Entries to none.");
-    if (second_count && linearisation != "consistent")
+    if (second_count && !is_consistent())
       throw InputError("Stability/Second count is for the consistent linearisation: set Linearisation to "
                        "consistent, or Second count to false.");
   }
@@ -110,7 +110,7 @@ namespace vibrocontact
   LinearisationOptions StabilityParameters::options() const
   {
     LinearisationOptions options;
-    const bool consistent = linearisation == "consistent";
+    const bool consistent = is_consistent();
     options.lateral_damping = consistent || lateral_damping;
     options.convection = consistent || convection;
     options.residual_rate = consistent;

@@ -33,6 +33,7 @@ namespace vibrocontact
     /// "consistent": all of the step's equations linearised; "paper": K_c and C_b of Lai et al. 2018, Eqs
     /// 19-22
     std::string linearisation = "consistent";
+    bool is_consistent() const { return linearisation == "consistent"; }
     /// of the paper's linearisation: C_b and the convective part of the perturbed slip
     bool lateral_damping = true, convection = false;
     /// roots to be listed of finite elements that are too many for LAPACK
