@@ -1,41 +1,12 @@
 #pragma once
 
-#include <vibrocontact/numerics/piecewise_polynomial.h>
-
-#include <deal.II/base/parameter_handler.h>
+#include <vibrocontact/scene/road_profile.h>
 
 #include <string>
 #include <vector>
 
 namespace vibrocontact
 {
-  /// `subsection Road`: what body 1 rolls over, and how fast.
-  struct RoadParameters
-  {
-    /// flat, expression, table or ISO 8608
-    std::string profile = "flat";
-    /// height [m] as an expression of the position s along the road [m]
-    std::string expression;
-    /// CSV: position_m, height_m; between its points a natural spline, linear or monotone
-    std::string table, interpolation = "natural spline";
-    /// A to H, and the wavenumbers of its waves [1/m]; the defaults are the deterministic road of
-    /// doc/theory.md, corrections to the tyre paper
-    std::string iso_class = "A";
-    double first_wavenumber = 2, last_wavenumber = 50, wavenumber_step = 0.1;
-    unsigned int seed = 20110525;
-
-    /// [m/s], or as an expression of the time t, or a CSV: time_s, speed_m_s
-    double speed = 0;
-    std::string speed_expression, speed_table;
-    /// of the contact points over the road, forward; with friction only [m/s]
-    double sliding_speed = 0;
-    /// how far the road is pressed towards the body [m], reached in the loading time [s]
-    double indentation = 0, loading_time = 0;
-
-    void declare_parameters(dealii::ParameterHandler &prm);
-    void check() const;
-  };
-
   /// Height of the road under each contact point in time:
   ///
   ///   u_r,i(t) = r(t) [indentation + z(s(t) + x_i)] - shape_i,      s(t) = int_0^t V dt
@@ -44,10 +15,7 @@ namespace vibrocontact
   /// x_i: place of the point [m], forward; shape_i: height of body 1's surface there when it is undeformed [m].
   /// The contact opens where the body's displacement u_i exceeds u_r,i.
   ///
-  /// Profiles z: an expression; a table, by its natural cubic spline (smooth, but it swings beside steps of the table), by
-  /// straight lines (with kinks) or by monotone cubics (no swings, steps of the curvature); ISO 8608 (2016) classes A to H, Phi(n) = 4^(1 + number) 4e-6 m^3 (n / 0.1 1/m)^-2 with A = 0: the sum of
-  /// waves a_k cos(2 pi n_k x + phi_k), a_k = sqrt(2 Phi(n_k) dn), phi_k = 2 pi s_k / 2^32 by the generator
-  /// s_k = (1664525 s_(k-1) + 1013904223) mod 2^32, s_(-1) = seed, the same on every machine.
+  /// z: RoadProfile.
   ///
   /// A kink of the profile (and a step of the speed) is a step of the rates of u_r, a step of the profile one of u_r. They
   /// are found in expressions (numerics/chebyshev_fit.h) and known of tables; before() and after() are the limits there.
@@ -80,9 +48,9 @@ namespace vibrocontact
     /// The next time > t at which a point meets a step upwards; infinite if there is none.
     double next_step_up(unsigned int point, double t) const;
     /// Where the profile has no finite slope, its entry in front; empty if it is smooth but for steps and kinks.
-    const std::string &singular() const { return singular_place; }
+    const std::string &singular() const { return profile.singular_place; }
     /// Whether the profile is not flat.
-    bool has_profile() const { return !profile.empty(); }
+    bool has_profile() const { return !profile.height.empty(); }
     /// z(s(t) + x_i), without loading, indentation and shape [m]
     double profile_height(unsigned int point, double t) const;
     /// [m]
@@ -90,7 +58,6 @@ namespace vibrocontact
 
   private:
     void make_speed(const RoadParameters &parameters, double end_time);
-    void make_profile(const RoadParameters &parameters, double begin, double end);
     double loading(double t) const;
     void find_steps();
     double time_of(const std::vector<double> &positions, unsigned int point, double t) const;
@@ -100,12 +67,12 @@ namespace vibrocontact
 
     const std::vector<double> places, shapes;
     const double speed, indentation, loading_time, sliding;
-    /// empty: flat; constant speed
-    PiecewisePolynomial profile, travelled;
+    RoadProfile profile;
+    /// empty: constant speed
+    PiecewisePolynomial travelled;
     /// ascending [s]
     std::vector<double> jumps;
-    /// where the profile, its slope or curvature jumps; where it steps up; ascending [m]
-    std::vector<double> breaks, steps_up;
-    std::string singular_place;
+    /// where the profile steps up, ascending [m]
+    std::vector<double> steps_up;
   };
 } // namespace vibrocontact

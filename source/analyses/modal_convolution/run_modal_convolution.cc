@@ -5,6 +5,7 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/marching/run_march.h>
 #include <vibrocontact/output/verdict.h>
@@ -150,11 +151,11 @@ namespace vibrocontact
     void add_road(EntriesRead &entries, const std::string &section, const RoadParameters &road,
                   const bool rolls, const bool friction, const bool by_force = false)
     {
-      const bool flat = road.profile == "flat", waves = road.profile == "ISO 8608";
+      const bool flat = !find_named(road_profiles(), road.profile, "profile of a road").make;
       entries.add(section, "Profile, Expression, Table, Indentation");
-      entries.add_if(road.profile == "table", section + "/Profile is table", section, "Table interpolation");
-      entries.add_if(waves, section + "/Profile is ISO 8608", section,
-                     "Class, First wavenumber, Last wavenumber, Wavenumber step, Seed");
+      for (const RoadProfileEntry &row : road_profiles())
+        if (!row.reads.empty())
+          entries.add_if(road.profile == row.name, section + "/Profile is " + row.name, section, row.reads);
       entries.add_if(!flat || rolls, section + "/Profile is not flat", section, "Speed");
       entries.add_if(!flat, section + "/Profile is not flat", section, "Speed expression, Speed table");
       entries.add_if(!flat || road.indentation != 0 || by_force,
