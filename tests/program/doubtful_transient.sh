@@ -24,3 +24,16 @@ END
 "$program" "$3/examples/rolling_transient.prm" --set "Transient/Hub displacement=1e-4*t" --check >screen
 grep -q "driven by its own hub displacement: Rolling/Normal force, 66000 N, is not used" screen ||
   { echo "FAILED: nothing about the normal force"; cat screen; exit 1; }
+
+# theta takes (theta - 1/2) w^2 h from the growth of a mode: of the one that is perturbed no more than its own damping does, and a fifth
+# of it by the end
+perturbed() {
+  "$program" "$bar" --quiet --set Output/Figures=false --set Transient/Theta=0.6 --set "Transient/Perturbed mode=bar:mode 1" \
+    --set "Transient/Perturbation velocity=0.1" --set "Transient/Time step=$1" --output perturbed 2>warnings && code=0 || code=$?
+}
+perturbed 0.1
+[ $code = 1 ] && grep -q "Theta is 0.6, so that the steps take .* from the growth of bar:mode 1 at" warnings ||
+  { echo "FAILED: exit code $code where theta damps the mode"; cat warnings; exit 1; }
+step=$(grep -o "Time step of [0-9.e-]* s" warnings | cut -d' ' -f4)
+perturbed "$step"
+[ $code != 1 ] || { echo "FAILED: the step that is said is refused as well: $step"; cat warnings; exit 1; }

@@ -3,10 +3,13 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/label_text.h>
 #include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/wall_clock.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/friction_of_speed.h>
 #include <vibrocontact/numerics/doubled_step.h>
+
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +36,26 @@ namespace vibrocontact
 
   namespace
   {
+    /// The theta method takes (theta - 1/2) w^2 h from the growth of a mode (theta_step()).
+    /// @throws InputError where that is more than the damping of the mode that is perturbed, and takes a fifth of it by the end
+    void check_theta_keeps_mode(const TransientParameters &parameters, const double omega, const double zeta)
+    {
+      constexpr double most_lost = 0.2;
+      if (parameters.propagates_exactly() || parameters.adapts_steps())
+        return;
+      const double taken = (parameters.theta - 0.5) * omega * omega * parameters.time_step,
+                   least = std::max(zeta * omega, -std::log(1 - most_lost) / parameters.end_time);
+      if (taken <= least)
+        return;
+      throw InputError(
+          "Transient/Theta is " + number_text(parameters.theta) + ", so that the steps take " +
+          number_text(taken) + " 1/s from the growth of " + parameters.perturbed_mode + " at " +
+          number_text(omega / (2 * dealii::numbers::PI)) + " Hz, more than its own damping, " +
+          number_text(zeta * omega) +
+          " 1/s: set Theta to 0.5 or Integrator to exact propagator, or take a Transient/Time step of " +
+          number_text(0.99 * parameters.time_step * least / taken) + " s.");
+    }
+
     void perturb(const TransientParameters &parameters, const ContactPair &pair, DynamicState &state)
     {
       const unsigned int k = perturbed_mode(parameters, pair.labels_of_modes());
@@ -44,6 +67,7 @@ namespace vibrocontact
       if (!(largest > 0))
         throw InputError("Transient/Perturbed mode: '" + parameters.perturbed_mode +
                          "' does not move the contact; name another mode.");
+      check_theta_keeps_mode(parameters, pair.omega[k], pair.damping_ratio[k]);
       state.q[k] += parameters.perturbation / largest;
       state.v[k] += parameters.perturbation_velocity / largest;
     }
