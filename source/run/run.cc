@@ -247,25 +247,26 @@ namespace vibrocontact
     results.title = parameters.scene.title;
     results.input_files = input_files(used);
     RunRecord record(folder, file, used, command_line.resume ? &results : nullptr);
+    const auto keep_what_was_done = [&](const std::string &failure)
+    {
+      // what analyses before this one have computed stays
+      if (results.finished.empty() && results.analyses.size() < 2)
+        return record.discard();
+      results.failures.push_back({"", failure});
+      record.save(results, seconds_since(begin));
+    };
     try
     {
       run_analyses(tables, parameters, bodies, measured, sweeps, record, results, command_line.resume, begin);
     }
-    catch (const MachineError &)
+    catch (const MachineError &error)
     {
-      record.discard();
+      keep_what_was_done(error.what());
       throw;
     }
     catch (const InputError &error)
     {
-      // what analyses before this one have computed stays
-      if (results.finished.empty() && results.analyses.size() < 2)
-        record.discard();
-      else
-      {
-        results.failures.push_back({"", error.what()});
-        record.save(results, seconds_since(begin));
-      }
+      keep_what_was_done(error.what());
       throw InputError(file.located(error.what()));
     }
     catch (const ConvergenceError &error)
