@@ -20,7 +20,7 @@ def plot_limit_cycles(folder, limit_cycle):
     figure, axes = plt.subplots(len(found), 3, figsize=(11, 2.5 * len(found) + 0.4), squeeze=False)
     for (k, cycle), row in zip(found, axes):
         plot_period(row[0], read_table(os.path.join(folder, f"limit_cycle_{k}.csv")), cycle)
-        plot_harmonics(row[1], read_table(os.path.join(folder, f"limit_cycle_{k}_harmonics.csv")))
+        plot_harmonics(row[1], read_table(os.path.join(folder, f"limit_cycle_{k}_harmonics.csv")), cycle["main_signal"])
         plot_disturbances(row[2], cycle)
     axes[-1][0].set_xlabel("time [ms]")
     axes[-1][1].set_xlabel("frequency [Hz]")
@@ -50,18 +50,17 @@ def plot_harmonic_balance(folder, limit_cycle):
     save(figure, folder, "limit_cycle_harmonic_balance")
 
 
-def main_signal(table):
-    """The first velocity, or the normal force of bodies without probes."""
-    velocities = [name for name in table if name.endswith("_velocity_m_s")]
-    if velocities:
-        return velocities[0], velocities[0].replace("_velocity_m_s", "").replace("_", " ") + " [m/s]"
-    return next(name for name in table if name.endswith("normal_force_N")), "normal force [N]"
+def label_of(name):
+    """"wheel_rim_axial_velocity_m_s" as "wheel rim axial [m/s]"."""
+    if name.endswith("_velocity_m_s"):
+        return name.replace("_velocity_m_s", "").replace("_", " ") + " [m/s]"
+    return name.replace("_N", "").replace("_", " ") + " [N]"
 
 
 def plot_period(axis, table, cycle):
-    name, label = main_signal(table)
+    name = cycle["main_signal"]
     axis.plot(1e3 * table["time_s"], table[name], color=LINE)
-    axis.set_ylabel(label)
+    axis.set_ylabel(label_of(name))
     axis.set_title(f"{cycle['frequency_Hz']:.2f} Hz", loc="left")
     points = axis.twinx()
     points.fill_between(1e3 * table["time_s"], table["contact_points"], color=OPEN, step="pre", zorder=0)
@@ -71,12 +70,11 @@ def plot_period(axis, table, cycle):
     axis.patch.set_visible(False)
 
 
-def plot_harmonics(axis, table):
-    name, label = main_signal(table)
+def plot_harmonics(axis, table, name):
     audible = table["harmonic"] > 0
     axis.stem(table["frequency_Hz"][audible], table[name][audible], linefmt=LINE, markerfmt=".", basefmt=" ")
     axis.set_yscale("log")
-    axis.set_ylabel(label)
+    axis.set_ylabel(label_of(name))
     axis.grid(alpha=0.3)
 
 

@@ -169,11 +169,13 @@ TEST(CycleBranch, OfFlutterHasTheCyclesOfItsRootsAndBeginsWhereTheyGrow)
   const CycleFamily family = [&](const double friction)
   {
     const auto at = std::make_shared<CycleAt>();
+    at->scene.steps = transient;
+    at->scene.solver = solver;
     at->scene.contacts.first().friction = friction;
     at->scene.pair = pair;
     at->scene.drive = drive;
     at->scene.at_rest = initial_state(transient, at->scene.contacts, solver, *pair, drive);
-    at->map = map_about(at->scene, transient, solver, {Flutter::middle}, n_steps);
+    at->map = map_about(at->scene, {Flutter::middle}, n_steps);
     at->equilibrium = at->map->pack(at->scene.at_rest);
     return at;
   };

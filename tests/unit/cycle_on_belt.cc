@@ -109,6 +109,8 @@ namespace
   CycleScene scene_about(const BeltScene &scene)
   {
     CycleScene about;
+    about.steps = scene.transient;
+    about.solver = scene.solver;
     about.contacts = scene.contact;
     about.pair = std::make_shared<const ContactPair>(scene.pair);
     about.shapes = std::make_shared<const PatchShapes>(shapes_of_steps(scene.pair));
@@ -201,8 +203,8 @@ TEST(CycleOnBelt, TheErrorOfItsStepsIsEstimated)
       const LimitCycle cycle = scene.cycle(map);
       ASSERT_TRUE(cycle.converged) << cycle.message;
       const CyclePeriod period = listen_to_cycle(map, cycle, scene.pair, scene.contact, {mass});
-      const CycleErrors errors = errors_of_steps(scene_about(scene), scene.transient, scene.solver, {},
-                                                 map.points_that_may_touch(), cycle, period, {mass});
+      const CycleErrors errors = errors_of_steps(scene_about(scene), {}, map.points_that_may_touch(),
+                                                 cycle, period, {mass});
       EXPECT_EQ(errors.failure, "");
       EXPECT_EQ(errors.n_steps, (n_steps + 1) / 2);
       EXPECT_EQ(errors.signal, "mass_velocity_m_s");
@@ -330,6 +332,37 @@ TEST(CycleOnBelt, OfRayleighsOscillatorIsThePublishedOne)
   }
   for (const std::vector<double> &error : {of_period, of_amplitude})
     expect_order(2, error, 1e-6);
+}
+
+TEST(CycleOnBelt, FewStepsAreComparedWithTwiceAsMany)
+{
+  const BeltScene scene = rayleigh_scene();
+  const Probe mass = probe_of_mass();
+  for (const unsigned int n_steps : {14u, 15u, 30u})
+  {
+    CycleMap map = scene.map(n_steps);
+    LimitCycleParameters parameters;
+    parameters.n_multipliers = 0;
+    const LimitCycle cycle = find_limit_cycle(map, scene.pair, scene.at_rest, scene.root, parameters);
+    ASSERT_TRUE(cycle.converged) << cycle.message;
+    const CyclePeriod period = listen_to_cycle(map, cycle, scene.pair, scene.contact, {mass});
+    const auto errors_with = [&](const unsigned int max_iterations)
+    {
+      parameters.max_newton_iterations = max_iterations;
+      return errors_of_steps(scene_about(scene), parameters, map.points_that_may_touch(), cycle, period,
+                             {mass});
+    };
+    const CycleErrors errors = errors_with(20);
+    const double error = std::abs(rayleigh_period / cycle.period - 1);
+    std::printf("%u steps: frequency off by %.2e, estimated from %u steps %.2e\n", n_steps, error,
+                errors.n_steps, errors.frequency);
+    EXPECT_EQ(errors.failure, "");
+    EXPECT_EQ(errors.n_steps, n_steps < 15 ? 2 * n_steps : (n_steps + 1) / 2);
+    // of second order here: too much by 1.5 from twice as many steps, by 3 from half as many
+    EXPECT_GT(errors.frequency, error);
+    EXPECT_LT(errors.frequency, 4 * error);
+    EXPECT_NE(errors_with(0).failure, "");
+  }
 }
 
 TEST(CycleOnBelt, ByHarmonicBalanceIsThePublishedOne)

@@ -8,7 +8,7 @@
 
 namespace vibrocontact
 {
-  /// Larger estimated errors of the impulse or of the rms force make a march in time a failure [-].
+  /// Larger estimated errors make what was found by steps in time a failure [-].
   constexpr double most_step_error = 0.2;
   /// So does what its energy account leaves open, as a share of the energy that there was [-].
   constexpr double most_open_energy = 0.05;

@@ -44,10 +44,6 @@ namespace vibrocontact
     }
     if (own.starts_from_transient() && !own.transient_folder.empty())
       check_end_of_transient(own.transient_folder, "Limit cycle/Transient folder");
-    if (own.basins.any() && own.roots.size() == 1)
-      throw InputError(
-          "Limit cycle/Basins/Starts asks for motions between cycles, but Limit cycle/Roots has one "
-          "root alone, which leads to one cycle: give another, or leave Roots empty for all.");
     if (own.basins.any() && own.n_multipliers == 0)
       throw InputError(
           "Limit cycle/Basins/Starts asks which cycle wins, but Limit cycle/Multipliers is 0, so that it "
@@ -56,6 +52,10 @@ namespace vibrocontact
       throw InputError(
           "Limit cycle/Basins/Starts asks for motions between cycles, but Limit cycle/Start is end of "
           "transient, which leads to one cycle: set it to roots, or leave the Basins out.");
+    if (own.basins.any() && own.roots.size() == 1)
+      throw InputError(
+          "Limit cycle/Basins/Starts asks for motions between cycles, but Limit cycle/Roots has one "
+          "root alone, which leads to one cycle: give another, or leave Roots empty for all.");
     const CycleBranchParameters &branch = parameters.limit_cycle.branch;
     branch.check(rolling_cases(parameters.rolling, parameters.contacts).front());
     const ParameterSweep &sweep = parameters.sweeps.at("limit cycle");

@@ -84,9 +84,7 @@ namespace vibrocontact
             step /= 2;
             if (step >= shortest_step)
               continue;
-            return {CycleBranchEnd::Kind::lost,
-                    reason.empty() ? "the branch turns more sharply than the shortest steps follow" : reason,
-                    0};
+            return {CycleBranchEnd::Kind::lost, reason, 0};
           }
           reason.clear();
           judge_cycle(*equations.last().map, parameters, point.cycle);

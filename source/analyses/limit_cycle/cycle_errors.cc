@@ -2,25 +2,17 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/wall_clock.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace vibrocontact
 {
   namespace
   {
-    /// of the cycles that errors are told from, which are small numbers of few digits
+    /// of the other cycle: an estimate needs two digits
     constexpr double loose_tolerance = 1e-7;
-
-    double relative_difference(const double a, const double b)
-    {
-      const double size = std::max(std::abs(a), std::abs(b));
-      return size > 0 ? std::abs(a - b) / size : 0.;
-    }
   } // namespace
 
-  CycleErrors errors_of_steps(const CycleScene &scene, const TransientParameters &steps,
-                              const ContactSolverParameters &solver, const LimitCycleParameters &parameters,
+  CycleErrors errors_of_steps(const CycleScene &scene, const LimitCycleParameters &parameters,
                               const std::vector<unsigned int> &points, const LimitCycle &cycle,
                               const CyclePeriod &period, const std::vector<Probe> &probes)
   {
@@ -30,9 +22,16 @@ namespace vibrocontact
     errors.signal = signal.name;
     LimitCycleParameters looser = parameters;
     looser.tolerance = std::max(parameters.tolerance, loose_tolerance);
-    for (const unsigned int n_steps : {(cycle.n_steps + 1) / 2, 2 * cycle.n_steps})
+    std::vector<unsigned int> others = {2 * cycle.n_steps};
+    if (const unsigned int half = (cycle.n_steps + 1) / 2; half >= least_steps_of_period)
+      others.insert(others.begin(), half);
+    for (const unsigned int n_steps : others)
     {
-      const std::unique_ptr<CycleMap> map = map_about(scene, steps, solver, points, n_steps);
+      errors.failure =
+          shortage_of_derivatives(loaded_points(scene.at_rest.R, scene.pair->n_points()).size(), n_steps);
+      if (!errors.failure.empty())
+        continue;
+      const std::unique_ptr<CycleMap> map = map_about(scene, points, n_steps);
       const LimitCycle other = find_again(*map, scene.at_rest, cycle, looser);
       errors.failure = other.message;
       if (!other.converged)
@@ -41,18 +40,18 @@ namespace vibrocontact
       {
         const CyclePeriod heard = listen_to_cycle(*map, other, *scene.pair, scene.contacts, probes);
         const CycleSignal &again = heard.signal(signal.name);
-        // X(2h) - X(h) = C h, X(h) - X(h/2) = C h / 2
-        const double share = n_steps > cycle.n_steps ? 2. : 1.;
+        const double change_of_step = std::abs(double(cycle.n_steps) / n_steps - 1);
+        const auto error = [&](const double here, const double there, const double size)
+        { return size > 0 ? std::abs(there - here) / (change_of_step * size) : 0.; };
         errors.n_steps = n_steps;
-        errors.frequency = share * relative_difference(1 / cycle.period, 1 / other.period);
-        errors.amplitude = share * relative_difference(signal.amplitude(), again.amplitude());
-        errors.first_harmonic =
-            share * relative_difference(signal.harmonics().at(1), again.harmonics().at(1));
+        errors.frequency = error(cycle.period, other.period, cycle.period);
+        errors.amplitude = error(signal.amplitude(), again.amplitude(), signal.amplitude());
+        errors.first_harmonic = error(signal.harmonics().at(1), again.harmonics().at(1), signal.amplitude());
         break;
       }
-      catch (const std::runtime_error &error)
+      catch (const std::runtime_error &failure)
       {
-        errors.failure = error.what();
+        errors.failure = failure.what();
       }
     }
     errors.seconds = seconds_since(begin);

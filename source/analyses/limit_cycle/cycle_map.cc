@@ -2,6 +2,8 @@
 #include <vibrocontact/analyses/transient/step_levels.h>
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/memory.h>
+#include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/point_rows.h>
 
@@ -37,23 +39,18 @@ namespace vibrocontact
       return result;
     }
 
-    /// The points that touch at no end of a step.
-    std::vector<unsigned int> always_open(const std::vector<unsigned int> &points,
-                                          const std::vector<std::vector<ContactStatus>> &statuses)
-    {
-      std::vector<unsigned int> result;
-      for (const unsigned int point : points)
-        if (std::all_of(statuses.begin(), statuses.end(),
-                        [&](const auto &status) { return status[point] == ContactStatus::open; }))
-          result.push_back(point);
-      return result;
-    }
-
     DenseVector only_column(const DenseMatrix &matrix)
     {
       return DenseVector(&matrix(0, 0), &matrix(0, 0) + matrix.m());
     }
   } // namespace
+
+  std::string shortage_of_derivatives(const std::size_t n_loaded, const unsigned int n_steps)
+  {
+    return memory_shortage("the derivatives of " + std::to_string(n_steps) +
+                               " steps (a longer Limit cycle/Time step needs fewer)",
+                           8. * n_steps * 9 * n_loaded * n_loaded, run_communicator());
+  }
 
   ContactSolverParameters solver_of_cycles(ContactSolverParameters solver)
   {
@@ -127,6 +124,8 @@ namespace vibrocontact
     ends.clear();
     derivatives.reserve(keep_derivatives ? m : 0);
     std::vector<std::vector<ContactStatus>> statuses;
+    // that touch at no end of a step
+    std::vector<unsigned int> always_open = points;
     const auto contact_solver = create_contact_solver(solver);
     DynamicState state = unpack(x), before;
     DenseVector first, last;
@@ -159,7 +158,13 @@ namespace vibrocontact
         ends.push_back({before.q, before.v, begin, end, before.z, sum(before.pole_force, constant_feed),
                         sum(state.pole_force, constant_feed), state.residual_rate});
       }
-      statuses.push_back(state.contact.status);
+      const std::vector<ContactStatus> &status = state.contact.status;
+      always_open.erase(std::remove_if(always_open.begin(), always_open.end(),
+                                       [&](const unsigned int point)
+                                       { return status[point] != ContactStatus::open; }),
+                        always_open.end());
+      if (keep_derivatives)
+        statuses.push_back(status);
       if (j == 0)
         first = pack(state);
       if (j + 1 == m)
@@ -174,7 +179,7 @@ namespace vibrocontact
     mean_rate += end;
     mean_rate -= last;
     mean_rate /= 2 * h;
-    for (const unsigned int row : coordinates.rate_rows(always_open(points, statuses)))
+    for (const unsigned int row : coordinates.rate_rows(always_open))
       end[row] = mean_rate[row] = 0;
     if (keep_derivatives && no_derivative.empty())
       stand_on_loaded_points();

@@ -67,7 +67,13 @@ namespace vibrocontact
 
   const CycleSignal &CyclePeriod::main_signal() const
   {
-    if (const CycleSignal *const velocity = main_velocity())
+    // of the mean speed at which the contact slides: the rest is rounding
+    constexpr double least_velocity = 1e-6;
+    double normal_force = 0;
+    for (std::size_t k = 0; k < forces.size(); k += 3)
+      normal_force += forces[k].mean();
+    if (const CycleSignal *const velocity = main_velocity();
+        velocity && velocity->amplitude() * normal_force > least_velocity * friction_power.mean())
       return *velocity;
     return *std::max_element(forces.begin(), forces.end(),
                              [](const CycleSignal &a, const CycleSignal &b)

@@ -12,19 +12,31 @@ namespace vibrocontact
   {
     /// of the contact at rest
     constexpr double rest_contact_tolerance = 1e-11;
+
+    TransientParameters steps_alone(const TransientParameters &transient)
+    {
+      TransientParameters steps;
+      steps.integrator = transient.integrator;
+      steps.theta = transient.theta;
+      steps.residual_theta = transient.residual_theta;
+      steps.reaction = transient.reaction;
+      return steps;
+    }
   } // namespace
 
-  CycleScene cycle_scene(const Parameters &parameters, const TransientParameters &steps,
-                         const std::shared_ptr<const ContactPair> &held, const ContactSections &contacts,
-                         const RollingCase &constants, const CycleScene *const like)
+  CycleScene cycle_scene(const Parameters &parameters, const std::shared_ptr<const ContactPair> &held,
+                         const ContactSections &contacts, const RollingCase &constants,
+                         const CycleScene *const like)
   {
     CycleScene scene;
+    scene.steps = steps_alone(parameters.transient);
+    scene.solver = solver_of_cycles(parameters.contact_solver);
     scene.contacts = contacts;
     ContactSolverParameters solver = parameters.contact_solver;
     solver.tolerance = std::min(solver.tolerance, rest_contact_tolerance);
     const HubMotion hub =
         hub_motion(parameters.hub(), parameters.rolling, LoadOverTime(), scene.contacts, solver, held,
-                   drive_function(steps, constants, parameters.placed_contacts()));
+                   drive_function(scene.steps, constants, parameters.placed_contacts()));
     scene.pair = hub.pair;
     if (!scene.pair->relaxing.empty())
       throw InputError(
@@ -35,16 +47,21 @@ namespace vibrocontact
                        ? like->shapes
                        : std::make_shared<const PatchShapes>(shapes_of_steps(*scene.pair));
     scene.drive = hub.drive(0);
-    scene.at_rest = initial_state(steps, scene.contacts, solver, *held, hub);
+    scene.at_rest = initial_state(scene.steps, scene.contacts, solver, *held, hub);
     return scene;
   }
 
-  std::unique_ptr<CycleMap> map_about(const CycleScene &scene, const TransientParameters &steps,
-                                      const ContactSolverParameters &solver,
-                                      const std::vector<unsigned int> &points, const unsigned int n_steps)
+  std::unique_ptr<CycleMap> map_about(const CycleScene &scene, const std::vector<unsigned int> &points,
+                                      const unsigned int n_steps, const ContactSolverParameters &solver)
   {
-    return std::make_unique<CycleMap>(steps, scene.contacts, solver, *scene.pair, scene.drive,
+    return std::make_unique<CycleMap>(scene.steps, scene.contacts, solver, *scene.pair, scene.drive,
                                       scene.at_rest.contact.approach, points, n_steps, scene.shapes);
+  }
+
+  std::unique_ptr<CycleMap> map_about(const CycleScene &scene, const std::vector<unsigned int> &points,
+                                      const unsigned int n_steps)
+  {
+    return map_about(scene, points, n_steps, scene.solver);
   }
 
   std::vector<StabilityRoot> roots_of(const CycleScene &scene)

@@ -38,6 +38,15 @@ namespace vibrocontact
       return result;
     }
 
+    constexpr char led_to_rest[] = "Newton's method led to the equilibrium";
+
+    double distance(const DenseVector &state, const DenseVector &other)
+    {
+      DenseVector difference = state;
+      difference -= other;
+      return difference.l2_norm();
+    }
+
     std::string left_over(const double residual)
     {
       return "Newton's method ended at a change over a period of " + number_text(residual) + " of the motion";
@@ -137,7 +146,7 @@ namespace vibrocontact
         if (cycle.converged && motion.velocity_in(cycle.state) < 1e-3 * start->velocity)
         {
           cycle.converged = false;
-          cycle.message = "Newton's method led to the equilibrium" + where_else;
+          cycle.message = led_to_rest + where_else;
         }
         else if (!cycle.converged && !cycle.residual)
           cycle.message = "no period could be marched from the start: " + equations.failure;
@@ -178,8 +187,15 @@ namespace vibrocontact
       const std::unique_ptr<const DenseMatrix> linear = linear_cycle_of(map, equilibrium, like.period);
       CycleEquations equations(map, map.pack(equilibrium), *linear, parameters.tolerance);
       close(equations, parameters.max_newton_iterations, like.state, like.period, cycle);
+      const DenseVector rest = map.pack(equilibrium);
       if (!cycle.converged)
-        cycle.message = equations.failure.empty() ? left_over(*cycle.residual) : equations.failure;
+        cycle.message =
+            !equations.failure.empty() || !cycle.residual ? equations.failure : left_over(*cycle.residual);
+      else if (distance(cycle.state, rest) < 1e-3 * distance(like.state, rest))
+      {
+        cycle.converged = false;
+        cycle.message = led_to_rest;
+      }
     }
     catch (const ConvergenceError &error)
     {

@@ -109,10 +109,11 @@ namespace vibrocontact
     for (std::size_t k = 0; k < std::min(cycles.size(), most_said); ++k)
     {
       const Json &one = cycles[k];
-      const std::string error =
-          is_given(one, "estimated_error_amplitude")
-              ? text("error of the steps %.2g %%", 100 * number(one, "estimated_error_amplitude"))
-              : "";
+      const std::string error = is_given(one, "estimated_error_amplitude")
+                                    ? text("error of the steps %.2g %%",
+                                           100 * std::max(number(one, "estimated_error_amplitude"),
+                                                          number(one, "estimated_error_first_harmonic")))
+                                    : "";
       std::string line = text("%.3f Hz", number(one, "frequency_Hz"));
       const Json &signal = main_signal(one);
       const bool is_heard = is_given(signal, "level_dB");
@@ -127,6 +128,8 @@ namespace vibrocontact
         line += ", " + word(one["stability"], "verdict");
       if (!is_heard && !error.empty())
         line += ", " + error + " of the " + word(signal, "name");
+      if (one.contains("message"))
+        line += ", NOT converged: " + word(one, "message");
       lines.push_back(line);
       if (const Json &balanced = list(one, "harmonic_balance"); !balanced.empty())
         lines.push_back("  " + balance_answer(*std::max_element(balanced.begin(), balanced.end(),

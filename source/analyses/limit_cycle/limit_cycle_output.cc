@@ -260,14 +260,18 @@ namespace vibrocontact
   void add_sums(const nlohmann::ordered_json &cycles, nlohmann::ordered_json &search)
   {
     const auto is_heard = [](const nlohmann::ordered_json &signal) { return signal.contains("level_dB"); };
-    bool any_heard = false;
+    std::vector<nlohmann::ordered_json> stand;
     for (const nlohmann::ordered_json &cycle : cycles)
+      if (cycle.at("converged").get<bool>())
+        stand.push_back(cycle);
+    bool any_heard = false;
+    for (const nlohmann::ordered_json &cycle : stand)
       for (const nlohmann::ordered_json &signal : answer_parts::list(cycle, "signals"))
         any_heard = any_heard || is_heard(signal);
     // without probes by the first normal force
     const char *const size = any_heard ? "amplitude_m_s" : "amplitude_N";
     nlohmann::ordered_json loudest;
-    for (const nlohmann::ordered_json &cycle : cycles)
+    for (const nlohmann::ordered_json &cycle : stand)
       for (const nlohmann::ordered_json &signal : answer_parts::list(cycle, "signals"))
       {
         const bool counts = any_heard ? is_heard(signal) : &signal == &cycle["signals"].front();
@@ -283,17 +287,34 @@ namespace vibrocontact
           loudest["largest_growth_1_s"] = cycle["multipliers"][0]["growth_1_s"];
       }
     search["roots"] = cycles.size() + search.at("not_found").size();
-    search["cycles_found"] = cycles.size();
+    search["cycles_found"] = stand.size();
     if (!loudest.is_null())
       search["loudest"] = loudest;
   }
 
   Table cycles_table(const nlohmann::ordered_json &cycles, const nlohmann::ordered_json &not_found)
   {
-    Table table({"root_frequency_Hz", "root_growth_1_s", "root_label", "status", "stability", "frequency_Hz",
-                 "amplitude_m_s", "steps_per_period", "normal_force_amplitude_N", "time_with_stick_share",
-                 "friction_power_W", "power_into_body_1_W", "largest_growth_1_s", "residual",
-                 "newton_iterations", "seconds", "estimated_error_frequency", "estimated_error_amplitude"},
+    Table table({"root_frequency_Hz",
+                 "root_growth_1_s",
+                 "root_label",
+                 "status",
+                 "message",
+                 "stability",
+                 "frequency_Hz",
+                 "amplitude_m_s",
+                 "steps_per_period",
+                 "normal_force_amplitude_N",
+                 "time_with_stick_share",
+                 "friction_power_W",
+                 "power_into_body_1_W",
+                 "largest_growth_1_s",
+                 "residual",
+                 "newton_iterations",
+                 "seconds",
+                 "main_signal",
+                 "estimated_error_frequency",
+                 "estimated_error_amplitude",
+                 "estimated_error_first_harmonic"},
                 {"Limit cycles by the unstable roots they begin from, or the nearest one to the transient "
                  "that they begin from, then roots from which none was found",
                  "amplitude: axial velocity of the wheel's rim or of the first probe; largest growth: of a "
@@ -309,17 +330,28 @@ namespace vibrocontact
             return one.at(pointer).get<double>();
           return std::string();
         };
-        table.add_row({number("/root/frequency_Hz"), number("/root/growth_1_s"),
+        table.add_row({number("/root/frequency_Hz"),
+                       number("/root/growth_1_s"),
                        one.at("root").at("label").get<std::string>(),
-                       std::string(list == &cycles ? "converged" : "not converged"),
+                       std::string(one.value("converged", false) ? "converged" : "not converged"),
+                       one.value("message", std::string()),
                        one.contains("stability") ? one["stability"]["verdict"].get<std::string>()
                                                  : std::string("not judged"),
-                       number("/frequency_Hz"), number("/amplitude_m_s"), number("/steps_per_period"),
-                       number("/signals/0/amplitude"), number("/time_with_stick_share"),
-                       number("/friction_power_W"), number("/power_into_body_1_W"),
-                       number("/multipliers/0/growth_1_s"), number("/residual"), number("/newton_iterations"),
-                       number("/seconds"), number("/estimated_error_frequency"),
-                       number("/estimated_error_amplitude")});
+                       number("/frequency_Hz"),
+                       number("/amplitude_m_s"),
+                       number("/steps_per_period"),
+                       number("/signals/0/amplitude"),
+                       number("/time_with_stick_share"),
+                       number("/friction_power_W"),
+                       number("/power_into_body_1_W"),
+                       number("/multipliers/0/growth_1_s"),
+                       number("/residual"),
+                       number("/newton_iterations"),
+                       number("/seconds"),
+                       one.value("main_signal", std::string()),
+                       number("/estimated_error_frequency"),
+                       number("/estimated_error_amplitude"),
+                       number("/estimated_error_first_harmonic")});
       }
     return table;
   }

@@ -58,10 +58,11 @@ namespace vibrocontact
     }
   } // namespace
 
-  void run_basins(const AnalysisRun &on, const CycleScene &scene, const TransientParameters &steps,
-                  const std::vector<CycleOfBasin> &cycles)
+  void run_basins(const CycleSearch &search, const std::vector<CycleOfBasin> &cycles)
   {
-    const BasinParameters &own = on.parameters.limit_cycle.basins;
+    const AnalysisRun &on = search.on;
+    const CycleScene &scene = search.scene;
+    const BasinParameters &own = search.own().basins;
     if (cycles.size() < 2)
       return refuse("limit cycle",
                     std::string("Limit cycle/Basins/Starts asks for motions between two cycles, but ") +
@@ -69,9 +70,9 @@ namespace vibrocontact
                     on.results);
     const double length = window_of(cycles);
     const auto window = map_about(
-        scene, steps, on.parameters.contact_solver,
+        scene,
         points_around(scene.pair->interface.contacts, scene.at_rest.R, *std::rbegin(spreads_of_contact)),
-        steps_of_window(length, own));
+        steps_of_window(length, own), on.parameters.contact_solver);
     nlohmann::ordered_json &basins = on.results.analyses["limit_cycle_basins"];
     basins = {{"window_s", length}, {"size", own.size}, {"cycles", nlohmann::ordered_json::array()}};
     std::vector<BasinPath> paths;

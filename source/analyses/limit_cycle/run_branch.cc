@@ -18,26 +18,25 @@ namespace vibrocontact
     constexpr unsigned int most_secants = 20;
 
     /// The scene with the entry at a value. @param points that may touch
-    std::shared_ptr<CycleAt> cycle_at(const BranchRun &run, const std::vector<unsigned int> &points,
+    std::shared_ptr<CycleAt> cycle_at(const CycleSearch &search, const std::vector<unsigned int> &points,
                                       const unsigned int n_steps, const double value)
     {
-      const Parameters &parameters = run.parameters;
-      const CycleBranchParameters &branch = parameters.limit_cycle.branch;
-      RollingCase constants = run.constants;
+      const ContactSections &contacts = search.on.parameters.contacts;
+      const CycleBranchParameters &branch = search.own().branch;
+      RollingCase constants = search.constants;
       branch.value_in(constants) = value;
       const auto at = std::make_shared<CycleAt>();
       try
       {
-        at->scene =
-            cycle_scene(parameters, run.steps, run.held,
-                        branch.is_friction() ? parameters.contacts.with_friction(value) : parameters.contacts,
-                        constants, &run.scene);
+        at->scene = cycle_scene(search.on.parameters, search.held,
+                                branch.is_friction() ? contacts.with_friction(value) : contacts, constants,
+                                &search.scene);
       }
       catch (const InputError &error)
       {
         throw ConvergenceError(error.what());
       }
-      at->map = map_about(at->scene, run.steps, solver_of_cycles(parameters.contact_solver), points, n_steps);
+      at->map = map_about(at->scene, points, n_steps);
       at->map->left_its_points = !at->map->are_known(at->scene.at_rest.R);
       at->equilibrium = at->map->pack(at->scene.at_rest);
       return at;
@@ -83,10 +82,13 @@ namespace vibrocontact
     }
   } // namespace
 
-  nlohmann::ordered_json run_branch(const BranchRun &run, const LimitCycle &start)
+  nlohmann::ordered_json
+  run_branch(const CycleSearch &search, const SoughtCycle &from,
+             const std::function<void(const std::vector<nlohmann::ordered_json> &)> &keep)
   {
-    const LimitCycleParameters &own = run.parameters.limit_cycle;
-    RollingCase constants = run.constants;
+    const LimitCycleParameters &own = search.own();
+    const LimitCycle &start = from.cycle;
+    RollingCase constants = search.constants;
     const double value = own.branch.value_in(constants), range = own.branch.to() - own.branch.from();
     Log &log = run_log();
     log.line("  followed over " + own.branch.entry + " from " + number_text(value) + " both ways:");
@@ -96,7 +98,7 @@ namespace vibrocontact
       try
       {
         const CyclePeriod period =
-            listen_to_cycle(*at.map, point.cycle, *at.scene.pair, at.scene.contacts, run.probes);
+            listen_to_cycle(*at.map, point.cycle, *at.scene.pair, at.scene.contacts, search.probes);
         heard.push_back(cycle_json(point.cycle, period, own.n_multipliers));
         heard.back()["value"] = point.value;
       }
@@ -108,20 +110,19 @@ namespace vibrocontact
                (point.sticks ? "" : ", nothing sticks") + ", " +
                std::to_string(point.cycle.newton_iterations) + " Newton iterations, " +
                number_text(point.cycle.seconds + point.cycle.stability_seconds) + " s");
-      run.keep(heard);
+      keep(heard);
     };
-    const auto points_of = [&](const unsigned int k)
-    { return points_around(run.scene.pair->interface.contacts, run.scene.at_rest.R, spreads_of_contact[k]); };
+    const auto points_of = [&](const unsigned int k) {
+      return points_around(search.pair().interface.contacts, search.scene.at_rest.R, spreads_of_contact[k]);
+    };
     const auto map_of = [&](const std::vector<unsigned int> &points)
-    {
-      return map_about(run.scene, run.steps, solver_of_cycles(run.parameters.contact_solver), points,
-                       start.n_steps);
-    };
-    std::vector<unsigned int> grid_points = points_of(run.spread);
-    const CycleFamily family = [&](const double at) { return cycle_at(run, grid_points, start.n_steps, at); };
+    { return map_about(search.scene, points, start.n_steps); };
+    std::vector<unsigned int> grid_points = points_of(from.spread);
+    const CycleFamily family = [&](const double at)
+    { return cycle_at(search, grid_points, start.n_steps, at); };
     LimitCycle first = start;
     CycleBranch branch = follow_cycle(family, first, value, own, hear);
-    for (unsigned int k = run.spread + 1; k < std::size(spreads_of_contact); ++k)
+    for (unsigned int k = from.spread + 1; k < std::size(spreads_of_contact); ++k)
     {
       if (!branch.ends[0].left_its_points && !branch.ends[1].left_its_points)
         break;
@@ -140,9 +141,9 @@ namespace vibrocontact
       if (branch.ends[k].kind == CycleBranchEnd::Kind::vanishes)
         try
         {
-          const bool first = k == 0;
-          compare_with_root(family, (first ? branch.points.front() : branch.points.back()).cycle,
-                            first ? range : -range, json[first ? "begin" : "end"]);
+          const bool at_begin = k == 0;
+          compare_with_root(family, (at_begin ? branch.points.front() : branch.points.back()).cycle,
+                            at_begin ? range : -range, json[at_begin ? "begin" : "end"]);
         }
         catch (const std::runtime_error &error)
         {

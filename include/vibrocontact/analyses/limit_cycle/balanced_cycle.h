@@ -23,7 +23,7 @@ namespace vibrocontact
     unsigned int newton_iterations = 0;
     unsigned long n_products = 0;
     double seconds = 0;
-    /// at as many times as the cycle by steps has; nothing if it did not converge
+    /// at as many times as the cycle by steps has, or as its harmonics need, if these are more; nothing if it did not converge
     std::optional<CyclePeriod> motion;
   };
 

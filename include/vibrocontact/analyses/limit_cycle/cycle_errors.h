@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace vibrocontact
 {
@@ -15,7 +16,7 @@ namespace vibrocontact
     unsigned int n_steps = 0;
     /// by which the cycles are compared
     std::string signal;
-    /// relative [-]: of the frequency, of amplitude and first harmonic of the signal
+    /// of the frequency over itself, of amplitude and first harmonic of the signal over its amplitude [-]
     double frequency = 0, amplitude = 0, first_harmonic = 0;
     /// why they are not known; empty: they are
     std::string failure;
@@ -25,11 +26,14 @@ namespace vibrocontact
     double largest() const { return std::max({frequency, amplitude, first_harmonic}); }
   };
 
-  /// Finds a cycle again in half as many steps, or, where that leads nowhere, in twice as many. The errors are taken for those of
-  /// first order, which what is left out by the modes follows its forces with: X(h) - X = C h. Where they fall faster, this is too much.
-  /// @param points that may touch, of the map that it was found with
-  CycleErrors errors_of_steps(const CycleScene &scene, const TransientParameters &steps,
-                              const ContactSolverParameters &solver, const LimitCycleParameters &parameters,
+  /// Finds a cycle again in half as many steps, or, where these are too few or lead nowhere, in twice as many. The errors are taken to fall
+  /// with the step, as those of the backward differences of the residual displacements do,
+  ///
+  ///   X(h) - X = C h   ->   |X(h) - X| = |X(h') - X(h)| / |h' / h - 1|
+  ///
+  /// which is too much where they fall faster.
+  /// @param points that may touch, of the map that it was found with; collective
+  CycleErrors errors_of_steps(const CycleScene &scene, const LimitCycleParameters &parameters,
                               const std::vector<unsigned int> &points, const LimitCycle &cycle,
                               const CyclePeriod &period, const std::vector<Probe> &probes);
 } // namespace vibrocontact

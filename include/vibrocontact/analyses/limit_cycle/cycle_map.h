@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace vibrocontact
@@ -50,7 +51,7 @@ namespace vibrocontact
     /// @throws ConvergenceError where a step does not converge
     DenseVector march(const DenseVector &x, double period, bool keep_derivatives,
                       const Observer &observe = {});
-    /// Statuses of all points at the ends of the steps of the last march.
+    /// Statuses of all points at the ends of the steps of the last march, which kept its derivatives.
     const std::vector<std::vector<ContactStatus>> &statuses() const { return marched.statuses; }
     // of the last march, rate() of any and the others of one that kept its derivatives:
     /// What a change of the start makes of the end.
@@ -118,6 +119,10 @@ namespace vibrocontact
     StepWeights poles_by_length;
     DenseVector mean_rate;
   };
+
+  /// Why the machine has too little memory for the derivatives of so many steps with points that carry load; empty: it has enough.
+  /// Collective.
+  std::string shortage_of_derivatives(std::size_t n_loaded, unsigned int n_steps);
 
   /// Forces of the points that may touch, 3 n_points each, and approaches at the ends of the steps of a period.
   struct CycleForces

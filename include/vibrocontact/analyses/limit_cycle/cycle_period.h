@@ -41,7 +41,7 @@ namespace vibrocontact
 
     /// The axial velocity of a wheel's rim, else that of the first probe; null: there are none.
     const CycleSignal *main_velocity() const;
-    /// The same, of scenes without probes the force that changes most: what a cycle is compared by.
+    /// What a cycle is compared by: the same, or the force that changes most where there are no probes or the motion does not move it.
     const CycleSignal &main_signal() const;
     /// Force or velocity of a name that a period of the scene has.
     const CycleSignal &signal(const std::string &name) const;

@@ -10,9 +10,13 @@
 
 namespace vibrocontact
 {
-  /// What limit cycles are sought about: the bodies, what moves them, and the equilibrium of rolling.
+  /// What limit cycles are sought about: the bodies, what moves them, the equilibrium of rolling, and how a period is marched.
   struct CycleScene
   {
+    /// integrator and thetas alone: what else a march is given belongs to it
+    TransientParameters steps;
+    /// of the contact of a step, see solver_of_cycles()
+    ContactSolverParameters solver;
     ContactSections contacts;
     /// with the hub as it moves
     std::shared_ptr<const ContactPair> pair;
@@ -22,17 +26,19 @@ namespace vibrocontact
     DynamicState at_rest;
   };
 
-  /// @param steps how the march steps @param held the pair with its hub held @param constants of section Rolling
+  /// @param held the pair with its hub held @param constants of section Rolling
   /// @param like another scene of the same held pair, which shares with it what is the same; null: none
   /// @throws ConvergenceError if there is no equilibrium, InputError
-  CycleScene cycle_scene(const Parameters &parameters, const TransientParameters &steps,
-                         const std::shared_ptr<const ContactPair> &held, const ContactSections &contacts,
-                         const RollingCase &constants, const CycleScene *like = nullptr);
+  CycleScene cycle_scene(const Parameters &parameters, const std::shared_ptr<const ContactPair> &held,
+                         const ContactSections &contacts, const RollingCase &constants,
+                         const CycleScene *like = nullptr);
 
-  /// The map of a period about it. @param points, n_steps as CycleMap has them; the rest is referred to
-  std::unique_ptr<CycleMap> map_about(const CycleScene &scene, const TransientParameters &steps,
-                                      const ContactSolverParameters &solver,
-                                      const std::vector<unsigned int> &points, unsigned int n_steps);
+  /// The map of a period about it. @param points, n_steps as CycleMap has them; the scene is referred to
+  /// @param solver in place of that of the scene
+  std::unique_ptr<CycleMap> map_about(const CycleScene &scene, const std::vector<unsigned int> &points,
+                                      unsigned int n_steps, const ContactSolverParameters &solver);
+  std::unique_ptr<CycleMap> map_about(const CycleScene &scene, const std::vector<unsigned int> &points,
+                                      unsigned int n_steps);
 
   /// All roots about the equilibrium. @throws InputError if points stick in it
   std::vector<StabilityRoot> roots_of(const CycleScene &scene);
