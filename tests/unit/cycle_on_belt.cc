@@ -203,8 +203,8 @@ TEST(CycleOnBelt, TheErrorOfItsStepsIsEstimated)
       const LimitCycle cycle = scene.cycle(map);
       ASSERT_TRUE(cycle.converged) << cycle.message;
       const CyclePeriod period = listen_to_cycle(map, cycle, scene.pair, scene.contact, {mass});
-      const CycleErrors errors = errors_of_steps(scene_about(scene), {}, map.points_that_may_touch(),
-                                                 cycle, period, {mass});
+      const CycleErrors errors =
+          errors_of_steps(scene_about(scene), {}, map.points_that_may_touch(), cycle, period, {mass});
       EXPECT_EQ(errors.failure, "");
       EXPECT_EQ(errors.n_steps, (n_steps + 1) / 2);
       EXPECT_EQ(errors.signal, "mass_velocity_m_s");
@@ -332,6 +332,26 @@ TEST(CycleOnBelt, OfRayleighsOscillatorIsThePublishedOne)
   }
   for (const std::vector<double> &error : {of_period, of_amplitude})
     expect_order(2, error, 1e-6);
+}
+
+TEST(CycleOnBelt, IsTheSameFromAnotherRoot)
+{
+  const auto period_from = [](const BeltScene &scene, const unsigned int n_steps)
+  {
+    CycleMap map = scene.map(n_steps);
+    const LimitCycle cycle = scene.cycle(map);
+    EXPECT_TRUE(cycle.converged) << cycle.message;
+    return listen_to_cycle(map, cycle, scene.pair, scene.contact, {probe_of_mass()});
+  };
+  BeltScene scene = rayleigh_scene();
+  const CyclePeriod first = period_from(scene, 500);
+  scene.root.frequency *= 1.01;
+  EXPECT_TRUE(first.is_same(period_from(scene, 495)));
+  EXPECT_FALSE(first.is_same(period_from(MassOnBelt(1e-6).scene(), 500)));
+  CyclePeriod louder = first;
+  for (double &value : louder.probes.front().values)
+    value *= 1.02;
+  EXPECT_FALSE(first.is_same(louder));
 }
 
 TEST(CycleOnBelt, FewStepsAreComparedWithTwiceAsMany)

@@ -89,6 +89,27 @@ namespace vibrocontact
     throw std::logic_error("no signal " + name);
   }
 
+  bool CyclePeriod::is_same(const CyclePeriod &other) const
+  {
+    constexpr double same_length = 1e-3, same_size = 1e-2;
+    if (std::abs(other.time.back() - time.back()) > same_length * time.back())
+      return false;
+    for (const auto list : {&CyclePeriod::forces, &CyclePeriod::probes})
+    {
+      double largest = 0, difference = 0;
+      for (std::size_t k = 0; k < (this->*list).size(); ++k)
+      {
+        const CycleSignal &here = (this->*list)[k], &there = (other.*list)[k];
+        largest = std::max(largest, here.amplitude());
+        difference = std::max({difference, std::abs(there.amplitude() - here.amplitude()),
+                               std::abs(there.mean() - here.mean())});
+      }
+      if (difference > same_size * largest)
+        return false;
+    }
+    return true;
+  }
+
   CyclePeriod silent_period(const PlacedContacts &contacts, const std::vector<Probe> &probes)
   {
     CyclePeriod period;

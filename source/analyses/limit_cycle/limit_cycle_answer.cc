@@ -93,8 +93,10 @@ namespace vibrocontact
       return from_transient_answer(search);
     if (number(search, "roots") == 0)
       return {"no root of the equilibrium grows: no cycle begins there"};
-    Lines lines = {text("%.0f of %.0f unstable roots lead to a limit cycle", number(search, "cycles_found"),
-                        number(search, "roots"))};
+    const double n_leading = number(search, "roots_with_cycle"), n_cycles = number(search, "cycles_found");
+    Lines lines = {
+        text("%.0f of %.0f unstable roots lead to a limit cycle", n_leading, number(search, "roots")) +
+        (n_cycles < n_leading ? text(", of which %.0f differ", n_cycles) : "")};
     const Json &not_found = list(search, "not_found");
     for (std::size_t k = 0; k < std::min(not_found.size(), most_said); ++k)
       lines.push_back(text("root at %.2f Hz: ", number(not_found[k]["root"], "frequency_Hz")) +
@@ -128,6 +130,8 @@ namespace vibrocontact
         line += ", " + word(one["stability"], "verdict");
       if (!is_heard && !error.empty())
         line += ", " + error + " of the " + word(signal, "name");
+      if (one.contains("same_as"))
+        line += text(", the same as cycle %.0f", number(one, "same_as"));
       if (one.contains("message"))
         line += ", NOT converged: " + word(one, "message");
       lines.push_back(line);

@@ -261,9 +261,14 @@ namespace vibrocontact
   {
     const auto is_heard = [](const nlohmann::ordered_json &signal) { return signal.contains("level_dB"); };
     std::vector<nlohmann::ordered_json> stand;
+    unsigned int n_roots_with_cycle = 0;
     for (const nlohmann::ordered_json &cycle : cycles)
       if (cycle.at("converged").get<bool>())
-        stand.push_back(cycle);
+      {
+        ++n_roots_with_cycle;
+        if (!cycle.contains("same_as"))
+          stand.push_back(cycle);
+      }
     bool any_heard = false;
     for (const nlohmann::ordered_json &cycle : stand)
       for (const nlohmann::ordered_json &signal : answer_parts::list(cycle, "signals"))
@@ -287,6 +292,7 @@ namespace vibrocontact
           loudest["largest_growth_1_s"] = cycle["multipliers"][0]["growth_1_s"];
       }
     search["roots"] = cycles.size() + search.at("not_found").size();
+    search["roots_with_cycle"] = n_roots_with_cycle;
     search["cycles_found"] = stand.size();
     if (!loudest.is_null())
       search["loudest"] = loudest;

@@ -22,6 +22,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace vibrocontact
 {
@@ -172,6 +174,19 @@ namespace vibrocontact
       return stands;
     }
 
+    /// The same of one that was found before, from another root: it is listed, and nothing else is asked of it.
+    void add_repeated(const SoughtCycle &sought, const std::size_t number,
+                      const nlohmann::ordered_json &first, const unsigned int n_multipliers,
+                      nlohmann::ordered_json &cycles)
+    {
+      nlohmann::ordered_json again = cycle_json(sought.cycle, *sought.period, n_multipliers);
+      again["number"] = number;
+      again["same_as"] = first.at("number");
+      again["converged"] = first.at("converged");
+      run_log().line("  the same as cycle " + first.at("number").dump() + ", from another root");
+      cycles.push_back(again);
+    }
+
     /// The same of a root from which none was found.
     void add_failure(const CycleSearch &search, const LimitCycle &cycle, nlohmann::ordered_json &not_found)
     {
@@ -205,13 +220,21 @@ namespace vibrocontact
       if (!in_time.wrong.empty())
         search.refuse(in_time.wrong);
       std::vector<CycleOfBasin> found;
+      // the places among `cycles` of those that differ from each other
+      std::vector<std::pair<std::size_t, CyclePeriod>> different;
       Progress progress("limit cycles", std::max<std::size_t>(1, roots.size()));
       for (std::size_t k = 0; k < roots.size(); ++k)
       {
         SoughtCycle sought = seek_cycle(search, roots[k]);
         const LimitCycle &cycle = sought.cycle;
-        if (sought.period)
+        const auto same = std::find_if(different.begin(), different.end(),
+                                       [&](const auto &one)
+                                       { return sought.period && one.second.is_same(*sought.period); });
+        if (same != different.end())
+          add_repeated(sought, k + 1, nlohmann::ordered_json(cycles[same->first]), own.n_multipliers, cycles);
+        else if (sought.period)
         {
+          different.emplace_back(cycles.size(), *sought.period);
           const CycleOfBasin reached = {static_cast<unsigned int>(k + 1), sought.map->unpack(cycle.state),
                                         cycle.root, cycle.period,
                                         cycle.stability && cycle.stability->is_unstable()};
