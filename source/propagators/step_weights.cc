@@ -221,34 +221,88 @@ namespace vibrocontact
     fall.exchange(file, name + "/fall");
   }
 
+  namespace
+  {
+    /// Row and force of a Green's function.
+    struct RowAndForce
+    {
+      unsigned int row, force;
+    };
+
+    /// What forces of one step do at its end and later, of all poles: 2 Re and -2 Im of their weights at the lags from `begin` on.
+    void set_weights_at_lags(const BodyInContact &model, const double time_step, const StepWeights &weights,
+                             const unsigned long begin, DenseMatrix &at_lags)
+    {
+      const unsigned int n_poles = model.n_poles();
+      for (unsigned int k = 0; k < n_poles; ++k)
+      {
+        const Complex x = stands_for_a_rest(model, model.poles[k]) ? std::log(weights.factor[k])
+                                                                   : model.poles[k] * time_step;
+        // beyond it e^(x lag) is zero in double precision
+        const double end = x.real() < 0 ? 2 + 745. / -x.real() : std::numeric_limits<double>::infinity();
+        for (unsigned int row = 0; row < at_lags.m(); ++row)
+        {
+          const double lag = begin + row;
+          Complex weight = lag < end ? weights.now[k] * std::exp(x * lag) : 0.;
+          if (lag > 0 && lag < end)
+            weight += weights.later[k] * std::exp(x * (lag - 1));
+          at_lags(row, k) = 2 * weight.real();
+          at_lags(row, n_poles + k) = -2 * weight.imag();
+        }
+      }
+    }
+
+    /// Samples of some Green's functions without the residual compliance: products of the poles' weights at the lags with their shapes.
+    std::vector<std::vector<double>> samples_of(const BodyInContact &model, const double time_step,
+                                                const ForceInterpolation interpolation,
+                                                const unsigned long n_lags,
+                                                const std::vector<RowAndForce> &which)
+    {
+      // lags at once, and functions: what is written stays in the cache
+      constexpr unsigned long lags_at_once = 1024;
+      constexpr std::size_t functions_at_once = 128;
+      const unsigned int n_poles = model.n_poles();
+      std::vector<std::vector<double>> samples(which.size(), std::vector<double>(n_lags, 0.));
+      const StepWeights weights = step_weights(model, time_step, interpolation);
+      for (unsigned long begin = 0; begin < n_lags && n_poles > 0; begin += lags_at_once)
+      {
+        const unsigned int n = std::min(lags_at_once, n_lags - begin);
+        DenseMatrix at_lags(n, 2 * n_poles);
+        set_weights_at_lags(model, time_step, weights, begin, at_lags);
+        for (std::size_t first = 0; first < which.size(); first += functions_at_once)
+        {
+          const unsigned int n_functions = std::min(functions_at_once, which.size() - first);
+          DenseMatrix shapes(2 * n_poles, n_functions), product(n, n_functions);
+          for (unsigned int f = 0; f < n_functions; ++f)
+            for (unsigned int k = 0; k < n_poles; ++k)
+            {
+              const Complex shape =
+                  model.right(which[first + f].row, k) * model.left(which[first + f].force, k);
+              shapes(k, f) = shape.real();
+              shapes(n_poles + k, f) = shape.imag();
+            }
+          at_lags.mmult(product, shapes);
+          for (unsigned int f = 0; f < n_functions; ++f)
+            std::copy(&product(0, f), &product(0, f) + n, samples[first + f].begin() + begin);
+        }
+      }
+      return samples;
+    }
+  } // namespace
+
   std::vector<std::vector<double>> step_kernel(const BodyInContact &model, const double time_step,
                                                const ForceInterpolation interpolation,
                                                const unsigned long n_lags)
   {
     const unsigned int n = model.n_rows();
-    std::vector<std::vector<double>> kernel(n * n, std::vector<double>(n_lags, 0.));
-    const StepWeights weights = step_weights(model, time_step, interpolation);
-    for (unsigned int k = 0; k < model.n_poles(); ++k)
-    {
-      const Complex x =
-          stands_for_a_rest(model, model.poles[k]) ? std::log(weights.factor[k]) : model.poles[k] * time_step;
-      // beyond it e^(x lag) is zero in double precision
-      const double end = x.real() < 0 ? 2 + 745. / -x.real() : n_lags;
-      const unsigned long last = std::min<double>(n_lags, end);
-      for (unsigned long lag = 0; lag < last; ++lag)
-      {
-        Complex weight = weights.now[k] * std::exp(x * double(lag));
-        if (lag > 0)
-          weight += weights.later[k] * std::exp(x * double(lag - 1));
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < n; ++j)
-            kernel[i * n + j][lag] += 2 * (model.right(i, k) * model.left(j, k) * weight).real();
-      }
-    }
-    if (model.residual.m() > 0)
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          kernel[i * n + j][0] += model.residual(i, j);
+    std::vector<RowAndForce> all;
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        all.push_back({i, j});
+    std::vector<std::vector<double>> kernel = samples_of(model, time_step, interpolation, n_lags, all);
+    for (unsigned int i = 0; i < n && model.residual.m() > 0; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        kernel[i * n + j][0] += model.residual(i, j);
     return kernel;
   }
 
@@ -278,20 +332,20 @@ namespace vibrocontact
       (envelope(middle) > 0.2 * share ? low : high) = middle;
     }
     // from there on backwards to the last sample above the share
-    const unsigned int n = model.n_rows();
-    BodyInContact moving = model;
-    moving.residual.reinit(0, 0);
-    const auto kernel =
-        step_kernel(moving, time_step, ForceInterpolation::impulse,
-                    std::min(most_steps, static_cast<unsigned long>(std::ceil(high / time_step))));
+    std::vector<RowAndForce> driving_points;
+    for (unsigned int i = 0; i < model.n_rows(); ++i)
+      driving_points.push_back({i, i});
+    const auto kernel = samples_of(
+        model, time_step, ForceInterpolation::impulse,
+        std::min(most_steps, static_cast<unsigned long>(std::ceil(high / time_step))), driving_points);
     double largest = 0;
-    for (unsigned int i = 0; i < n; ++i)
-      for (const double value : kernel[i * n + i])
+    for (const std::vector<double> &g : kernel)
+      for (const double value : g)
         largest = std::max(largest, std::abs(value));
     unsigned long last = 0;
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned long k = last; k < kernel[i * n + i].size(); ++k)
-        if (std::abs(kernel[i * n + i][k]) > share * largest)
+    for (const std::vector<double> &g : kernel)
+      for (unsigned long k = last; k < g.size(); ++k)
+        if (std::abs(g[k]) > share * largest)
           last = k + 1;
     return last;
   }
