@@ -66,77 +66,53 @@ namespace vibrocontact
   SteppedModalWork::SteppedModalWork(const BodyInContact &model, const std::vector<Complex> &state,
                                      const double time_step, const ForceInterpolation interpolation)
       : model(model), modes(model), h(time_step), interpolation(interpolation),
-        z(modes.from_equilibrium(state)), next(z), weights(step_weights(model, time_step, interpolation)),
-        last(model.n_rows(), 0.)
+        z(modes.from_equilibrium(state)), weights(step_weights(model, time_step, interpolation)),
+        shapes(model.n_poles(), model.n_rows()), last(model.n_rows()), modal_force(model.n_poles()),
+        last_modal_force(model.n_poles())
   {
+    for (unsigned int k = 0; k < model.n_poles(); ++k)
+      for (unsigned int i = 0; i < model.n_rows(); ++i)
+        shapes(k, i) = model.right(i, k).real();
     initial = modes.energy(z);
   }
 
-  double SteppedModalWork::displacement(const unsigned int i, const std::vector<Complex> &state) const
+  void SteppedModalWork::set_modal_force(const DenseVector &q, DenseVector &on_modes) const
   {
-    double sum = 0;
-    for (unsigned int k = 0; k < model.n_poles(); ++k)
-      sum += 2 * (model.right(i, k) * state[k]).real();
-    return sum;
-  }
-
-  double SteppedModalWork::velocity(const unsigned int i, const std::vector<Complex> &state) const
-  {
-    double sum = 0;
-    for (unsigned int k = 0; k < model.n_poles(); ++k)
-      sum += 2 * (model.right(i, k) * model.poles[k] * state[k]).real();
-    return sum;
+    if (on_modes.size() > 0)
+      shapes.vmult(on_modes, q);
   }
 
   void SteppedModalWork::add(const double *q)
   {
-    const unsigned int n = model.n_rows(), n_poles = model.n_poles();
-    if (interpolation == ForceInterpolation::impulse)
+    const DenseVector forces(q, q + last.size());
+    set_modal_force(forces, modal_force);
+    for (unsigned int k = 0; k < z.size(); ++k)
     {
-      next = z;
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int k = 0; k < n_poles && q[i] != 0; ++k)
-          next[k] += h * q[i] * model.left(i, k);
-      for (unsigned int i = 0; i < n; ++i)
-        if (q[i] != 0)
-          work += 0.5 * h * q[i] * (velocity(i, z) + velocity(i, next));
-      for (unsigned int k = 0; k < n_poles; ++k)
-        z[k] = weights.factor[k] * next[k];
-      std::copy_n(q, n, last.begin());
-      return;
-    }
-    const bool linear = interpolation == ForceInterpolation::linear;
-    for (unsigned int k = 0; k < n_poles; ++k)
-    {
-      Complex now = 0, before = 0;
-      for (unsigned int i = 0; i < n; ++i)
+      const double now = modal_force[k], before = last_modal_force[k];
+      // of a unit modal force, see ModalEnergy::applies()
+      const Complex into = 1. / Complex(0, 2 * model.poles[k].imag());
+      if (interpolation == ForceInterpolation::impulse)
       {
-        now += model.left(i, k) * q[i];
-        before += model.left(i, k) * last[i];
-      }
-      next[k] = weights.factor[k] * z[k] + weights.now[k] * now + weights.later[k] * before;
-    }
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      const double old = linear ? last[i] : q[i];
-      if (q[i] == 0 && old == 0)
+        const Complex next = z[k] + h * now * into;
+        work += h * now * (model.poles[k] * (z[k] + next)).real();
+        z[k] = weights.factor[k] * next;
         continue;
+      }
+      const Complex next =
+          weights.factor[k] * z[k] + (weights.now[k] * now + weights.later[k] * before) * into;
       // by parts: q u' = (q u)' - q' u
-      work += q[i] * displacement(i, next) - old * displacement(i, z);
-      if (!linear || q[i] == old)
-        continue;
-      double integral = 0;
-      for (unsigned int k = 0; k < n_poles; ++k)
+      if (interpolation == ForceInterpolation::linear)
       {
-        Complex push = 0;
-        for (unsigned int j = 0; j < n; ++j)
-          push += model.left(j, k) * (0.5 * h * (q[j] + last[j]));
-        integral += 2 * (model.right(i, k) * (next[k] - z[k] - push) / model.poles[k]).real();
+        const Complex push = 0.5 * h * (now + before) * into,
+                      integral = (next - z[k] - push) / model.poles[k];
+        work += 2 * (now * next - before * z[k] - (now - before) / h * integral).real();
       }
-      work -= (q[i] - old) / h * integral;
+      else
+        work += 2 * now * (next - z[k]).real();
+      z[k] = next;
     }
-    std::swap(z, next);
-    std::copy_n(q, n, last.begin());
+    std::swap(modal_force, last_modal_force);
+    last = forces;
   }
 
   double SteppedModalWork::energy() const
@@ -157,6 +133,7 @@ namespace vibrocontact
   {
     file("modal_work", z);
     file("modal_work/last", last);
+    set_modal_force(last, last_modal_force);
     file("modal_work/work", work);
   }
 } // namespace vibrocontact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/base/checkpoint_file.h>
+#include <vibrocontact/base/dense.h>
 #include <vibrocontact/bodies/body_in_contact.h>
 #include <vibrocontact/propagators/step_weights.h>
 
@@ -57,7 +58,7 @@ namespace vibrocontact
 
   /// The modes' own account of a stepped motion, exact for the force interpolation whatever the length of the step: a second
   /// propagation of their states, that also tells the work W of the forces on them, and so what damping took,
-  /// E(0) + W - E. Cost: that of a modal recursion.
+  /// E(0) + W - E. Cost: the modal forces of a step, one product with the shapes.
   class SteppedModalWork
   {
   public:
@@ -73,17 +74,19 @@ namespace vibrocontact
     void exchange(CheckpointFile &file);
 
   private:
-    double displacement(unsigned int i, const std::vector<Complex> &state) const;
-    double velocity(unsigned int i, const std::vector<Complex> &state) const;
+    /// shapes times forces
+    void set_modal_force(const DenseVector &q, DenseVector &on_modes) const;
 
     const BodyInContact &model;
     const ModalEnergy modes;
     const double h;
     const ForceInterpolation interpolation;
-    std::vector<Complex> z, next;
+    std::vector<Complex> z;
     StepWeights weights;
-    /// forces of the step before
-    std::vector<double> last;
+    /// n_poles x n_rows
+    DenseMatrix shapes;
+    /// forces of the step before; on the modes, of this step and the one before
+    DenseVector last, modal_force, last_modal_force;
     double initial = 0, work = 0;
   };
 } // namespace vibrocontact
