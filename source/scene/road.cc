@@ -45,21 +45,20 @@ namespace vibrocontact
       return;
     const auto [first, last] = std::minmax_element(places.begin(), places.end());
     const double begin = *first, end = *last + distance(end_time);
+    const double spacing = spacing_of(places);
+    const std::string way_out = "the distance of the contact points";
+    // before many waves are summed
+    if (spacing > 0 && kind.shortest_wave)
+      check_carried_wave("The road of Road/" + kind.entry, kind.shortest_wave(parameters), spacing,
+                         "lower Road/Last wavenumber, or make " + way_out + " smaller");
     profile = kind.make(parameters, begin, end);
     find_steps();
-    if (const double spacing = spacing_of(places); spacing > 0)
-    {
-      const std::string way_out = "the distance of the contact points";
-      if (kind.shortest_wave)
-        check_carried_wave("The road of Road/" + kind.entry, kind.shortest_wave(parameters), spacing,
-                           "lower Road/Last wavenumber, or make " + way_out + " smaller");
-      else
-        check_carried_waves(
-            "Road/" + kind.entry,
-            [&](const double s)
-            { return profile.height.value(std::clamp(s, profile.height.begin(), profile.height.end())); },
-            begin, end, spacing, way_out);
-    }
+    if (spacing > 0 && !kind.shortest_wave)
+      check_carried_waves(
+          "Road/" + kind.entry,
+          [&](const double s)
+          { return profile.height.value(std::clamp(s, profile.height.begin(), profile.height.end())); },
+          begin, end, spacing, way_out);
   }
 
   void Road::make_speed(const RoadParameters &parameters, const double end_time)

@@ -26,6 +26,6 @@ for step, refused in ((2e-7, True), (5e-8, False), (2e-8, False)):
     one, off, failures = cycle_by(step)
     check.near("estimated error", one["estimated_error_amplitude"], off, 0.2)
     check.near("signal", one["main_signal"] == one["error_estimate"]["signal"], True, 1e-12)
-    said = [failure for failure in failures if "are too long: from 30 in a period, in place of 60" in failure]
+    said = [failure for failure in failures if "are too long: from 120 in a period, in place of 60" in failure]
     check.near("refused", (len(failures), len(said)) == ((1, 1) if refused else (0, 0)), True, 1e-12)
 check.end()

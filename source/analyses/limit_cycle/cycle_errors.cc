@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_errors.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/wall_clock.h>
+#include <vibrocontact/marching/judge_march.h>
 
 #include <cmath>
 
@@ -8,8 +9,35 @@ namespace vibrocontact
 {
   namespace
   {
-    /// of the other cycle: an estimate needs two digits
-    constexpr double loose_tolerance = 1e-7;
+    /// of the other cycle, whatever that of the user is: an estimate needs two digits
+    constexpr double tolerance_of_other = 1e-7;
+    /// of the change of all harmonics: amplitude and first harmonic may agree by chance
+    constexpr double least_of_harmonics = 0.5;
+
+    /// Root of the squares of all changes of the harmonics but the mean.
+    double change_of_harmonics(const std::vector<double> &here, const std::vector<double> &there)
+    {
+      double sum = 0;
+      for (std::size_t k = 1; k < std::max(here.size(), there.size()); ++k)
+        sum += std::pow((k < here.size() ? here[k] : 0.) - (k < there.size() ? there[k] : 0.), 2);
+      return std::sqrt(sum);
+    }
+
+    /// Errors of a cycle beside another one in other steps.
+    void compare(const LimitCycle &cycle, const CycleSignal &signal, const LimitCycle &other,
+                 const CycleSignal &again, CycleErrors &errors)
+    {
+      const double change_of_step = std::abs(double(cycle.n_steps) / other.n_steps - 1),
+                   size = signal.amplitude();
+      const std::vector<double> here = signal.harmonics(), there = again.harmonics();
+      const double least = least_of_harmonics * change_of_harmonics(here, there);
+      const auto of_signal = [&](const double change)
+      { return size > 0 ? std::max(std::abs(change), least) / (change_of_step * size) : 0.; };
+      errors.n_steps = other.n_steps;
+      errors.frequency = std::abs(other.period / cycle.period - 1) / change_of_step;
+      errors.amplitude = of_signal(again.amplitude() - size);
+      errors.first_harmonic = of_signal(there.at(1) - here.at(1));
+    }
   } // namespace
 
   CycleErrors errors_of_steps(const CycleScene &scene, const LimitCycleParameters &parameters,
@@ -20,39 +48,42 @@ namespace vibrocontact
     CycleErrors errors;
     const CycleSignal &signal = period.main_signal();
     errors.signal = signal.name;
-    LimitCycleParameters looser = parameters;
-    looser.tolerance = std::max(parameters.tolerance, loose_tolerance);
+    LimitCycleParameters of_other = parameters;
+    of_other.tolerance = tolerance_of_other;
+    /// @return why there is no cycle in so many steps; empty: there is, and it was compared
+    const auto compare_with = [&](const unsigned int n_steps) -> std::string
+    {
+      const std::string shortage =
+          shortage_of_derivatives(loaded_points(scene.at_rest.R, scene.pair->n_points()).size(), n_steps);
+      if (!shortage.empty())
+        return shortage;
+      const std::unique_ptr<CycleMap> map = map_about(scene, points, n_steps);
+      const LimitCycle other = find_again(*map, scene.at_rest, cycle, of_other);
+      if (!other.converged)
+        return other.message;
+      try
+      {
+        const CyclePeriod heard = listen_to_cycle(*map, other, *scene.pair, scene.contacts, probes);
+        compare(cycle, signal, other, heard.signal(signal.name), errors);
+        errors.failure.clear();
+        return "";
+      }
+      catch (const std::runtime_error &failure)
+      {
+        return failure.what();
+      }
+    };
     std::vector<unsigned int> others = {2 * cycle.n_steps};
     if (const unsigned int half = (cycle.n_steps + 1) / 2; half >= least_steps_of_period)
       others.insert(others.begin(), half);
     for (const unsigned int n_steps : others)
     {
-      errors.failure =
-          shortage_of_derivatives(loaded_points(scene.at_rest.R, scene.pair->n_points()).size(), n_steps);
-      if (!errors.failure.empty())
-        continue;
-      const std::unique_ptr<CycleMap> map = map_about(scene, points, n_steps);
-      const LimitCycle other = find_again(*map, scene.at_rest, cycle, looser);
-      errors.failure = other.message;
-      if (!other.converged)
-        continue;
-      try
-      {
-        const CyclePeriod heard = listen_to_cycle(*map, other, *scene.pair, scene.contacts, probes);
-        const CycleSignal &again = heard.signal(signal.name);
-        const double change_of_step = std::abs(double(cycle.n_steps) / n_steps - 1);
-        const auto error = [&](const double here, const double there, const double size)
-        { return size > 0 ? std::abs(there - here) / (change_of_step * size) : 0.; };
-        errors.n_steps = n_steps;
-        errors.frequency = error(cycle.period, other.period, cycle.period);
-        errors.amplitude = error(signal.amplitude(), again.amplitude(), signal.amplitude());
-        errors.first_harmonic = error(signal.harmonics().at(1), again.harmonics().at(1), signal.amplitude());
+      const std::string failure = compare_with(n_steps);
+      // twice as many steps tell more of errors that do not fall with the step yet
+      if (failure.empty() && errors.largest() <= most_step_error)
         break;
-      }
-      catch (const std::runtime_error &failure)
-      {
-        errors.failure = failure.what();
-      }
+      if (errors.n_steps == 0)
+        errors.failure = failure;
     }
     errors.seconds = seconds_since(begin);
     return errors;

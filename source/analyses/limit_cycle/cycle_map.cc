@@ -101,6 +101,11 @@ namespace vibrocontact
     return true;
   }
 
+  double CycleMap::growth_taken_by_theta(const double frequency) const
+  {
+    return transient.growth_taken_by_theta(2 * dealii::numbers::PI * frequency, 1 / (frequency * m));
+  }
+
   DenseVector CycleMap::march(const DenseVector &x, const double period, const bool keep_derivatives,
                               const Observer &observe)
   {

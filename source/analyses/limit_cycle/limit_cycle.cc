@@ -116,11 +116,21 @@ namespace vibrocontact
                       number_text(cycle.period) + " s: take a shorter one";
       return cycle;
     }
+    if (const double taken = map.growth_taken_by_theta(root.frequency);
+        taken > root.growth && root.growth > 0)
+    {
+      cycle.message =
+          "Transient/Theta takes " + number_text(taken) + " 1/s from a root that grows by " +
+          number_text(root.growth) +
+          " 1/s: set it to 0.5 or Transient/Integrator to exact propagator, or take a shorter Limit "
+          "cycle/Time step";
+      return cycle;
+    }
     // who starts from a motion knows more of it
     const std::string where_else =
         from ? ""
-             : " (shorter steps may lead elsewhere, or the motion that a transient ends with: Limit "
-               "cycle/Start)";
+             : " (Limit cycle/Start = end of transient begins at a motion that is there; shorter steps may "
+               "lead elsewhere, too)";
     try
     {
       const RootMotion motion(map, pair, equilibrium, root);

@@ -62,19 +62,34 @@ namespace vibrocontact
         line += text(", %.0f of them unstable", n_unstable);
       return line;
     }
-    /// "harmonic balance with 20 harmonics: 917.221 Hz (+1.9e-05), ..."
+
+    /// "stable", or "neutral (-0.55 +- 0.95 1/s)"
+    std::string stability_answer(const Json &cycle)
+    {
+      const std::string verdict = word(cycle["stability"], "verdict");
+      const Json &multipliers = list(cycle, "multipliers");
+      if (verdict != "neutral" || multipliers.empty())
+        return verdict;
+      return text("neutral (growth %.2g +- %.2g 1/s: shorter steps tell)",
+                  number(multipliers[0], "growth_1_s"), number(cycle["stability"], "growth_uncertainty_1_s"));
+    }
+
+    /// "harmonic balance with 20 harmonics: 917.221 Hz (+1.9e-05), ...": forces have corners, which harmonics overshoot
     std::string balance_answer(const Json &balanced)
     {
       std::string line = text("harmonic balance with %.0f harmonics: ", number(balanced, "harmonics"));
       if (!balanced["converged"].get<bool>())
         return line + "not found";
+      const std::string signal = word(balanced, "signal");
+      const bool by_peak = signal.size() > 4 && signal.compare(signal.size() - 4, 4, "_m_s") == 0;
+      const std::string of = by_peak ? "amplitude" : "first_harmonic";
       return line +
              text("%.3f Hz (%+.1e), ", number(balanced, "frequency_Hz"),
                   number(balanced, "frequency_difference")) +
-             word(balanced, "signal") + text(" amplitude %.3g", number(balanced, "amplitude")) +
-             (is_given(balanced, "amplitude_difference")
-                  ? text(" (%+.1e)", number(balanced, "amplitude_difference"))
-                  : "");
+             word(balanced, "signal") + (by_peak ? " amplitude" : " first harmonic") +
+             text(" %.3g", number(balanced, of)) +
+             (is_given(balanced, of + "_difference") ? text(" (%+.1e)", number(balanced, of + "_difference"))
+                                                     : "");
     }
 
     Lines from_transient_answer(const Json &search)
@@ -111,25 +126,21 @@ namespace vibrocontact
     for (std::size_t k = 0; k < std::min(cycles.size(), most_said); ++k)
     {
       const Json &one = cycles[k];
-      const std::string error = is_given(one, "estimated_error_amplitude")
-                                    ? text("error of the steps %.2g %%",
-                                           100 * std::max(number(one, "estimated_error_amplitude"),
-                                                          number(one, "estimated_error_first_harmonic")))
-                                    : "";
       std::string line = text("%.3f Hz", number(one, "frequency_Hz"));
       const Json &signal = main_signal(one);
-      const bool is_heard = is_given(signal, "level_dB");
-      if (is_heard)
-        line += ", " + word(signal, "name") +
-                text(" amplitude %.3g (%.1f dB", number(signal, "amplitude"), number(signal, "level_dB")) +
-                (error.empty() ? "" : ", " + error) + ")";
-      line +=
-          text(", normal force +-%.3g N, some points stick for %.0f %% of the time",
-               number(list(one, "signals").at(0), "amplitude"), 100 * number(one, "time_with_stick_share"));
+      line += ", " + word(signal, "name") + text(" amplitude %.3g", number(signal, "amplitude"));
+      if (is_given(signal, "level_dB"))
+        line += text(" (%.1f dB)", number(signal, "level_dB"));
+      if (is_given(one, "estimated_error_amplitude"))
+        line +=
+            text(", errors of the steps %.2g %% and %.2g %%", 100 * number(one, "estimated_error_frequency"),
+                 100 * std::max(number(one, "estimated_error_amplitude"),
+                                number(one, "estimated_error_first_harmonic")));
+      if (word(signal, "name") != word(list(one, "signals").at(0), "name"))
+        line += text(", normal force +-%.3g N", number(list(one, "signals").at(0), "amplitude"));
+      line += text(", some points stick for %.0f %% of the time", 100 * number(one, "time_with_stick_share"));
       if (one.contains("stability"))
-        line += ", " + word(one["stability"], "verdict");
-      if (!is_heard && !error.empty())
-        line += ", " + error + " of the " + word(signal, "name");
+        line += ", " + stability_answer(one);
       if (one.contains("same_as"))
         line += text(", the same as cycle %.0f", number(one, "same_as"));
       if (one.contains("message"))

@@ -288,6 +288,8 @@ namespace vibrocontact
                    {"power_into_body_1_W", cycle["power_into_body_1_W"]}};
         if (any_heard)
           loudest["level_dB"] = signal["level_dB"];
+        if (cycle.contains("estimated_error_amplitude"))
+          loudest["estimated_error_amplitude"] = cycle["estimated_error_amplitude"];
         if (!answer_parts::list(cycle, "multipliers").empty())
           loudest["largest_growth_1_s"] = cycle["multipliers"][0]["growth_1_s"];
       }

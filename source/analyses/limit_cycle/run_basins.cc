@@ -68,6 +68,12 @@ namespace vibrocontact
                     std::string("Limit cycle/Basins/Starts asks for motions between two cycles, but ") +
                         (cycles.empty() ? "none" : "one") + " was found.",
                     on.results);
+    if (std::all_of(cycles.begin(), cycles.end(), [](const CycleOfBasin &one) { return one.is_unstable; }))
+      return refuse(
+          "limit cycle",
+          "Limit cycle/Basins/Starts asks which cycle wins, but small disturbances grow out of all that "
+          "were found, so that none can: another motion does, which a transient shows.",
+          on.results);
     const double length = window_of(cycles);
     const auto window = map_about(
         scene,

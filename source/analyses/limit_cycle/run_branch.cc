@@ -15,6 +15,8 @@ namespace vibrocontact
     /// over the range of a branch: where the growth of the root is looked at beside the onset, how far off its zero may be, and how
     /// well it is found
     constexpr double first_secant = 2e-3, near_onset = 0.05, root_tolerance = 1e-7;
+    /// of the growth at the value of the file: what a root grows by at its onset is no more
+    constexpr double growth_at_onset = 0.05;
     constexpr unsigned int most_secants = 20;
 
     /// The scene with the entry at a value. @param points that may touch
@@ -65,6 +67,8 @@ namespace vibrocontact
       double before = onset, value = onset + first_secant * range,
              growth_before = growth_of(family(onset)->scene, cycle.root.label, 1 / cycle.period);
       end["root_growth_1_s"] = growth_before;
+      if (std::abs(growth_before) > growth_at_onset * std::abs(cycle.root.growth))
+        return;
       for (unsigned int k = 0; k < most_secants && std::abs(value - onset) < near_onset * std::abs(range);
            ++k)
       {

@@ -324,7 +324,9 @@ namespace vibrocontact
                         {"loudest_amplitude_N", "/limit_cycle_search/loudest/amplitude_N"},
                         {"loudest_level_dB", "/limit_cycle_search/loudest/level_dB"},
                         {"loudest_power_into_body_1_W", "/limit_cycle_search/loudest/power_into_body_1_W"},
-                        {"loudest_largest_growth_1_s", "/limit_cycle_search/loudest/largest_growth_1_s"}}),
+                        {"loudest_largest_growth_1_s", "/limit_cycle_search/loudest/largest_growth_1_s"},
+                        {"loudest_estimated_error_amplitude",
+                         "/limit_cycle_search/loudest/estimated_error_amplitude"}}),
             nullptr,
             [](const Parameters &parameters)
             {

@@ -36,14 +36,13 @@ namespace vibrocontact
 
   namespace
   {
-    /// The theta method takes (theta - 1/2) w^2 h from the growth of a mode (theta_step()).
-    /// @throws InputError where that is more than the damping of the mode that is perturbed, and takes a fifth of it by the end
+    /// @throws InputError where theta takes more from the growth of the mode that is perturbed than its damping, and a fifth of it by the end
     void check_theta_keeps_mode(const TransientParameters &parameters, const double omega, const double zeta)
     {
       constexpr double most_lost = 0.2;
-      if (parameters.propagates_exactly() || parameters.adapts_steps())
+      if (parameters.adapts_steps())
         return;
-      const double taken = (parameters.theta - 0.5) * omega * omega * parameters.time_step,
+      const double taken = parameters.growth_taken_by_theta(omega, parameters.time_step),
                    least = std::max(zeta * omega, -std::log(1 - most_lost) / parameters.end_time);
       if (taken <= least)
         return;

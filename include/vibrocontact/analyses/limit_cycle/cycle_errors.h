@@ -26,12 +26,12 @@ namespace vibrocontact
     double largest() const { return std::max({frequency, amplitude, first_harmonic}); }
   };
 
-  /// Finds a cycle again in half as many steps, or, where these are too few or lead nowhere, in twice as many. The errors are taken to fall
-  /// with the step, as those of the backward differences of the residual displacements do,
+  /// Finds a cycle again in half as many steps, or, where these are too few, lead nowhere or tell of too large errors, in twice as many.
+  /// The errors are taken to fall with the step, as those of the backward differences of the residual displacements do,
   ///
   ///   X(h) - X = C h   ->   |X(h) - X| = |X(h') - X(h)| / |h' / h - 1|
   ///
-  /// which is too much where they fall faster.
+  /// which is too much where they fall faster. Those of amplitude and first harmonic are at least half of the change of all harmonics.
   /// @param points that may touch, of the map that it was found with; collective
   CycleErrors errors_of_steps(const CycleScene &scene, const LimitCycleParameters &parameters,
                               const std::vector<unsigned int> &points, const LimitCycle &cycle,

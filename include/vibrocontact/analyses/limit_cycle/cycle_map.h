@@ -40,6 +40,8 @@ namespace vibrocontact
     /// of these, modes and poles, which stand first
     unsigned int n_motion() const { return coordinates.n_motion(); }
     unsigned int n_steps() const { return m; }
+    /// Of a motion of a frequency [Hz], see there [1/s].
+    double growth_taken_by_theta(double frequency) const;
     /// V [m/s]
     double speed() const { return drive.creepage.speed; }
     DenseVector pack(const DynamicState &state) const { return coordinates.pack(state); }

@@ -28,6 +28,11 @@ namespace vibrocontact
     std::string integrator = "theta method";
     bool propagates_exactly() const { return integrator == "exact propagator"; }
     double theta = 0.5;
+    /// What steps of h take from the growth of a mode, (theta - 1/2) w^2 h (theta_step()) [1/s].
+    double growth_taken_by_theta(const double omega, const double h) const
+    {
+      return propagates_exactly() ? 0. : (theta - 0.5) * omega * omega * h;
+    }
     /// of the rate of the residual displacements, see ContactStepper; 1: backward differences
     double residual_theta = 1;
     /// "as other forces" or "end of step", see ReactionWeighting
