@@ -30,9 +30,11 @@ namespace vibrocontact
             v[c * n + i] = image[c * n + i];
         const double previous = gain;
         gain = v.l2_norm();
-        if (!(gain > 0) || !std::isfinite(gain))
+        if (!std::isfinite(gain))
           throw ConvergenceError("The contact operator has no finite compliance; check the bodies that it is "
                                  "made of.");
+        if (gain == 0)
+          return 0;
         v /= gain;
         if (std::abs(gain - previous) < 1e-3 * gain)
           break;
@@ -75,8 +77,19 @@ namespace vibrocontact
             points.push_back(i);
         if (points.empty())
           return;
-        normal = 1 / growth(A, points, 0, 1);
-        tangential = A.n_components() > 1 ? 1 / growth(A, points, 1, A.n_components()) : 1.;
+        const double compliance = growth(A, points, 0, 1);
+        if (compliance == 0)
+          throw ConvergenceError(
+              "The contact operator does not yield to normal forces, so that the fixed point has "
+              "no step: take another Contact/Solver/Method.");
+        normal = 1 / compliance;
+        tangential = 1;
+        if (A.n_components() == 1)
+          return;
+        const double slip = growth(A, points, 1, A.n_components());
+        // of bodies that slide without rolling it follows no forces: a long step gives their direction at once
+        constexpr double long_step = 1e20;
+        tangential = slip > 0 ? 1 / slip : long_step * normal;
       }
 
       const ContactOperator &A;

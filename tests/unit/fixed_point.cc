@@ -40,6 +40,39 @@ TEST(FixedPoint, FreePointsDoNotSlowItDown)
   EXPECT_LE(iterations[1], iterations[0] + 200);
 }
 
+TEST(FixedPoint, FindsWhereSlipFollowsNoForces)
+{
+  // a body that slides without rolling: N (2 + 4 * 0.5) = approach, friction against the slip
+  const unsigned int n = 4;
+  DenseMatrix A(3 * n);
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+      A(i, j) = (i == j ? 2 : 0) + 0.5;
+  ContactProblem problem;
+  problem.A = std::make_shared<DenseContactOperator>(std::move(A));
+  problem.b.reinit(3 * n);
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    problem.b[n + i] = 3e-3;
+    problem.b[2 * n + i] = -4e-3;
+  }
+  problem.mu.assign(n, 0.3);
+  problem.approach = 1;
+  for (const std::string method : {"fixed point", "semi-smooth newton"})
+  {
+    ContactSolverParameters parameters;
+    parameters.method = method;
+    const ContactSolution s = create_contact_solver(parameters)->solved(problem);
+    EXPECT_TRUE(s.converged) << method;
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      EXPECT_NEAR(s.R[i], 0.25, 1e-10) << method;
+      EXPECT_NEAR(s.R[n + i], -0.3 * 0.25 * 0.6, 1e-10) << method;
+      EXPECT_NEAR(s.R[2 * n + i], 0.3 * 0.25 * 0.8, 1e-10) << method;
+    }
+  }
+}
+
 TEST(FixedPoint, GapsBeyondAllNumbersEndInASentence)
 {
   const unsigned int n = 4;
