@@ -54,7 +54,7 @@ def label_of(name):
     """"wheel_rim_axial_velocity_m_s" as "wheel rim axial [m/s]"."""
     if name.endswith("_velocity_m_s"):
         return name.replace("_velocity_m_s", "").replace("_", " ") + " [m/s]"
-    return name.replace("_N", "").replace("_", " ") + " [N]"
+    return name[:-len("_N")].replace("_", " ") + " [N]"
 
 
 def plot_period(axis, table, cycle):

@@ -253,7 +253,14 @@ namespace vibrocontact
       if (results.finished.empty() && results.analyses.size() < 2)
         return record.discard();
       results.failures.push_back({"", failure});
-      record.save(results, seconds_since(begin));
+      try
+      {
+        record.save(results, seconds_since(begin));
+      }
+      catch (const OutputError &)
+      {
+        // what has failed first is said
+      }
     };
     try
     {

@@ -242,10 +242,10 @@ namespace vibrocontact
         throw InputError("Road/Profile is " + profile + ", but Road/" + row.entry + " is empty: give it.");
       if (row.value)
         check_taken(!(this->*row.value).empty(), row.name == profile, row.entry, row.name);
-      if (row.interpolates)
-        check_taken(interpolation != RoadParameters().interpolation, row.name == profile,
-                    "Table interpolation", row.name);
     }
+    check_taken(interpolation != RoadParameters().interpolation,
+                find_named(road_profiles(), profile, "profile of a road").interpolates, "Table interpolation",
+                "table");
     if (!speed_expression.empty() && !speed_table.empty())
       throw InputError("Road/Speed expression and Road/Speed table are both given: leave one.");
     if ((!speed_expression.empty() || !speed_table.empty()) && speed != 0)

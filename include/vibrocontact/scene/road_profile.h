@@ -56,8 +56,9 @@ namespace vibrocontact
   struct RoadProfileEntry
   {
     std::string name;
-    /// the entry of section Road that gives it, and its value, if nothing else may stand there; flat: none
+    /// the entry of section Road that gives it; flat: none
     std::string entry;
+    /// its value, which has to be empty with other profiles; null: it has a default, which they leave alone
     std::string RoadParameters::*value;
     /// entries that it alone reads
     std::string reads;

@@ -2,8 +2,6 @@
 #include <vibrocontact/analyses/transient/step_levels.h>
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/base/memory.h>
-#include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/point_rows.h>
 
@@ -44,13 +42,6 @@ namespace vibrocontact
       return DenseVector(&matrix(0, 0), &matrix(0, 0) + matrix.m());
     }
   } // namespace
-
-  std::string shortage_of_derivatives(const std::size_t n_loaded, const unsigned int n_steps)
-  {
-    return memory_shortage("the derivatives of " + std::to_string(n_steps) +
-                               " steps (a longer Limit cycle/Time step needs fewer)",
-                           8. * n_steps * 9 * n_loaded * n_loaded, run_communicator());
-  }
 
   ContactSolverParameters solver_of_cycles(ContactSolverParameters solver)
   {

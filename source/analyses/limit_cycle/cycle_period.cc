@@ -102,7 +102,7 @@ namespace vibrocontact
         const CycleSignal &here = (this->*list)[k], &there = (other.*list)[k];
         largest = std::max(largest, here.amplitude());
         difference = std::max({difference, std::abs(there.amplitude() - here.amplitude()),
-                               std::abs(there.mean() - here.mean())});
+                               std::abs(there.rms() - here.rms()), std::abs(there.mean() - here.mean())});
       }
       if (difference > same_size * largest)
         return false;

@@ -3,6 +3,8 @@
 #include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/analyses/transient/transient_hub.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/memory.h>
+#include <vibrocontact/base/run_communicator.h>
 
 #include <algorithm>
 
@@ -62,6 +64,14 @@ namespace vibrocontact
                                       const unsigned int n_steps)
   {
     return map_about(scene, points, n_steps, scene.solver);
+  }
+
+  std::string shortage_of_derivatives(const CycleScene &scene, const unsigned int n_steps)
+  {
+    const std::size_t n_loaded = loaded_points(scene.at_rest.R, scene.pair->n_points()).size();
+    return memory_shortage("the derivatives of " + std::to_string(n_steps) +
+                               " steps (a longer Limit cycle/Time step needs fewer)",
+                           8. * n_steps * 9 * n_loaded * n_loaded, run_communicator());
   }
 
   std::vector<StabilityRoot> roots_of(const CycleScene &scene)

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
 
 namespace vibrocontact
 {
@@ -61,9 +62,9 @@ namespace vibrocontact
       const CycleScene &scene = search.scene;
       const std::vector<unsigned int> points =
           points_around(scene.pair->interface.contacts, scene.at_rest.R, *std::begin(spreads_of_contact));
-      const auto any_steps = map_about(scene, points, 1, search.on.parameters.contact_solver);
+      const auto one_step = map_about(scene, points, 1, search.on.parameters.contact_solver);
       const std::vector<StabilityRoot> all = roots_of(scene), unstable = unstable_of(all);
-      return nearest_root(*any_steps, *scene.pair, scene.at_rest, unstable.empty() ? all : unstable,
+      return nearest_root(*one_step, *scene.pair, scene.at_rest, unstable.empty() ? all : unstable,
                           *search.from);
     }
 
@@ -150,9 +151,9 @@ namespace vibrocontact
     LimitCycle &cycle = sought.cycle;
     cycle.root = root;
     cycle.n_steps = n_steps;
-    cycle.message =
-        shortage_of_derivatives(loaded_points(search.scene.at_rest.R, pair.n_points()).size(), n_steps);
-    if (cycle.message.empty())
+    cycle.message = shortage_of_derivatives(search.scene, n_steps);
+    sought.lacks_memory = !cycle.message.empty();
+    if (!sought.lacks_memory)
       find_on_enough_points(search, root, n_steps, sought);
     if (search.from)
       cycle.motion = search.own().name_of_start();
@@ -161,7 +162,7 @@ namespace vibrocontact
       {
         sought.period = listen_to_cycle(*sought.map, cycle, pair, search.scene.contacts, search.probes);
       }
-      catch (const InputError &error)
+      catch (const std::runtime_error &error)
       {
         cycle.converged = false;
         cycle.message = error.what();

@@ -201,9 +201,10 @@ namespace vibrocontact
       if (!cycle.converged)
         cycle.message =
             !equations.failure.empty() || !cycle.residual ? equations.failure : left_over(*cycle.residual);
-      else if (distance(cycle.state, rest) < 1e-3 * distance(like.state, rest))
+      if (distance(cycle.state, rest) < 1e-3 * distance(like.state, rest))
       {
         cycle.converged = false;
+        cycle.residual.reset();
         cycle.message = led_to_rest;
       }
     }

@@ -97,8 +97,9 @@ namespace vibrocontact
       const Json &not_found = list(search, "not_found");
       const std::string motion =
           text("the motion of the transient at %.6g s leads to ", number(search["from_transient"], "end_s"));
-      return {motion +
-              (not_found.empty() ? "a limit cycle" : "no limit cycle: " + word(not_found[0], "message"))};
+      if (!not_found.empty())
+        return {motion + "no limit cycle: " + word(not_found[0], "message")};
+      return {motion + (number(search, "cycles_found") > 0 ? "a limit cycle" : "one that has not converged")};
     }
   } // namespace
 

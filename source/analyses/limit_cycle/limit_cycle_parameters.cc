@@ -32,9 +32,11 @@ namespace vibrocontact
                       "How many of the Floquet multipliers are listed, the largest; 0: stability is not "
                       "looked at. Units: none.",
                       Integer(0, 1000000));
-    prm.add_parameter("Error estimate", error_estimate,
-                      "Whether each cycle is found once more in half as many steps, which tells the error of "
-                      "the steps. A cycle with more than 20 % of error has not converged. Units: none.");
+    prm.add_parameter(
+        "Error estimate", error_estimate,
+        "Whether each cycle is found once more in half or twice as many steps, which tells the error "
+        "of the steps. A cycle with more than 20 % of error, or with an unknown one, has not converged. "
+        "Units: none.");
     prm.add_parameter(
         "Harmonics", harmonics,
         "Numbers of harmonics with which each cycle that was found is found by harmonic balance "

@@ -66,7 +66,7 @@ namespace vibrocontact
     if (cycles.size() < 2)
       return refuse("limit cycle",
                     std::string("Limit cycle/Basins/Starts asks for motions between two cycles, but ") +
-                        (cycles.empty() ? "none" : "one") + " was found.",
+                        (cycles.empty() ? "none" : "one") + " was found that converged.",
                     on.results);
     if (std::all_of(cycles.begin(), cycles.end(), [](const CycleOfBasin &one) { return one.is_unstable; }))
       return refuse(

@@ -13,14 +13,13 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/marching/judge_march.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/swept_runs.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -71,7 +70,7 @@ namespace vibrocontact
         search.refuse("What the steps change in " + at_frequency(cycle) +
                       " is not known, since it was found in no other number of steps: " +
                       without_period(errors.failure) +
-                      ". Take a shorter Limit cycle/Time step, or set Limit cycle/Error estimate to false.");
+                      ". Set Limit cycle/Error estimate to false to do without.");
         return false;
       }
       const std::string said = "frequency " + percent_text(errors.frequency) + ", amplitude of " +
@@ -174,7 +173,7 @@ namespace vibrocontact
       return stands;
     }
 
-    /// The same of one that was found before, from another root: it is listed, and nothing else is asked of it.
+    /// Lists a cycle that was found before, from another root; nothing else is asked of it.
     void add_repeated(const SoughtCycle &sought, const std::size_t number,
                       const nlohmann::ordered_json &first, const unsigned int n_multipliers,
                       nlohmann::ordered_json &cycles)
@@ -187,7 +186,7 @@ namespace vibrocontact
       cycles.push_back(again);
     }
 
-    /// The same of a root from which none was found.
+    /// Lists a root from which no cycle was found.
     void add_failure(const CycleSearch &search, const LimitCycle &cycle, nlohmann::ordered_json &not_found)
     {
       not_found.push_back(failed_json(cycle));
@@ -220,7 +219,8 @@ namespace vibrocontact
       if (!in_time.wrong.empty())
         search.refuse(in_time.wrong);
       std::vector<CycleOfBasin> found;
-      // the places among `cycles` of those that differ from each other
+      // what the machine has too little memory for; the places among `cycles` of those that stand and differ from each other
+      std::string shortage;
       std::vector<std::pair<std::size_t, CyclePeriod>> different;
       Progress progress("limit cycles", std::max<std::size_t>(1, roots.size()));
       for (std::size_t k = 0; k < roots.size(); ++k)
@@ -234,20 +234,29 @@ namespace vibrocontact
           add_repeated(sought, k + 1, nlohmann::ordered_json(cycles[same->first]), own.n_multipliers, cycles);
         else if (sought.period)
         {
-          different.emplace_back(cycles.size(), *sought.period);
           const CycleOfBasin reached = {static_cast<unsigned int>(k + 1), sought.map->unpack(cycle.state),
                                         cycle.root, cycle.period,
                                         cycle.stability && cycle.stability->is_unstable()};
+          const std::size_t place = cycles.size();
           if (add_cycle(search, sought, k + 1, cycles))
+          {
             found.push_back(reached);
+            different.emplace_back(place, *sought.period);
+          }
         }
         else
+        {
+          if (sought.lacks_memory)
+            shortage = cycle.message;
           add_failure(search, cycle, sums["not_found"]);
+        }
         on.save_sometimes();
         progress.advance();
       }
       add_sums(cycles, sums);
       on_first_rank([&] { cycles_table(cycles, sums["not_found"]).write(on.folder + "/limit_cycles.csv"); });
+      if (!shortage.empty())
+        throw MachineError(shortage);
       // another object among the results moves those that cycles and sums refer to
       if (own.basins.any())
       {

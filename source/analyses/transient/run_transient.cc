@@ -255,6 +255,7 @@ namespace vibrocontact
           {},
           {},
           {}};
+    check_theta_keeps_mode(own, *held);
     warn_of_ringing(parameters, pair, results);
     parameters.signals.windows.judge("Transient", own.end_time, results);
 

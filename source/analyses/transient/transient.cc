@@ -36,25 +36,6 @@ namespace vibrocontact
 
   namespace
   {
-    /// @throws InputError where theta takes more from the growth of the mode that is perturbed than its damping, and a fifth of it by the end
-    void check_theta_keeps_mode(const TransientParameters &parameters, const double omega, const double zeta)
-    {
-      constexpr double most_lost = 0.2;
-      if (parameters.adapts_steps())
-        return;
-      const double taken = parameters.growth_taken_by_theta(omega, parameters.time_step),
-                   least = std::max(zeta * omega, -std::log(1 - most_lost) / parameters.end_time);
-      if (taken <= least)
-        return;
-      throw InputError(
-          "Transient/Theta is " + number_text(parameters.theta) + ", so that the steps take " +
-          number_text(taken) + " 1/s from the growth of " + parameters.perturbed_mode + " at " +
-          number_text(omega / (2 * dealii::numbers::PI)) + " Hz, more than its own damping, " +
-          number_text(zeta * omega) +
-          " 1/s: set Theta to 0.5 or Integrator to exact propagator, or take a Transient/Time step of " +
-          number_text(0.99 * parameters.time_step * least / taken) + " s.");
-    }
-
     void perturb(const TransientParameters &parameters, const ContactPair &pair, DynamicState &state)
     {
       const unsigned int k = perturbed_mode(parameters, pair.labels_of_modes());
@@ -66,11 +47,30 @@ namespace vibrocontact
       if (!(largest > 0))
         throw InputError("Transient/Perturbed mode: '" + parameters.perturbed_mode +
                          "' does not move the contact; name another mode.");
-      check_theta_keeps_mode(parameters, pair.omega[k], pair.damping_ratio[k]);
       state.q[k] += parameters.perturbation / largest;
       state.v[k] += parameters.perturbation_velocity / largest;
     }
   } // namespace
+
+  void check_theta_keeps_mode(const TransientParameters &parameters, const ContactPair &pair)
+  {
+    constexpr double most_lost = 0.2;
+    const unsigned int k = perturbed_mode(parameters, pair.labels_of_modes());
+    if (k >= pair.n_modes() || parameters.adapts_steps())
+      return;
+    const double omega = pair.omega[k], zeta = pair.damping_ratio[k];
+    const double taken = parameters.growth_taken_by_theta(omega, parameters.time_step),
+                 least = std::max(zeta * omega, -std::log(1 - most_lost) / parameters.end_time);
+    if (taken <= least)
+      return;
+    throw InputError(
+        "Transient/Theta is " + number_text(parameters.theta) + ", so that the steps take " +
+        number_text(taken) + " 1/s from the growth of " + parameters.perturbed_mode + " at " +
+        number_text(omega / (2 * dealii::numbers::PI)) + " Hz, more than its own damping, " +
+        number_text(zeta * omega) +
+        " 1/s: set Theta to 0.5 or Integrator to exact propagator, or take a Transient/Time step of " +
+        number_text(0.99 * parameters.time_step * least / taken) + " s.");
+  }
 
   ContactSolution transient_equilibrium(const ContactSections &contact, const ContactSolverParameters &solver,
                                         const ContactPair &pair, const Drive &drive)

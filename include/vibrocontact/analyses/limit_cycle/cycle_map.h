@@ -7,7 +7,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace vibrocontact
@@ -121,10 +120,6 @@ namespace vibrocontact
     StepWeights poles_by_length;
     DenseVector mean_rate;
   };
-
-  /// Why the machine has too little memory for the derivatives of so many steps with points that carry load; empty: it has enough.
-  /// Collective.
-  std::string shortage_of_derivatives(std::size_t n_loaded, unsigned int n_steps);
 
   /// Forces of the points that may touch, 3 n_points each, and approaches at the ends of the steps of a period.
   struct CycleForces

@@ -45,8 +45,8 @@ namespace vibrocontact
     const CycleSignal &main_signal() const;
     /// Force or velocity of a name that a period of the scene has.
     const CycleSignal &signal(const std::string &name) const;
-    /// Whether another one of the scene is the same motion, as far as steps tell: its length to 1e-3, means and amplitudes of forces and
-    /// velocities to 1e-2 of the largest of them.
+    /// Whether another one of the scene is the same motion, as far as steps tell: its length to 1e-3, means, amplitudes and rms of forces and
+    /// velocities to 1e-2 of the largest amplitude of them.
     bool is_same(const CyclePeriod &other) const;
   };
 

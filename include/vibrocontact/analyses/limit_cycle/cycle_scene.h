@@ -6,6 +6,7 @@
 #include <vibrocontact/run/parameters.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace vibrocontact
@@ -39,6 +40,9 @@ namespace vibrocontact
                                       unsigned int n_steps, const ContactSolverParameters &solver);
   std::unique_ptr<CycleMap> map_about(const CycleScene &scene, const std::vector<unsigned int> &points,
                                       unsigned int n_steps);
+
+  /// Why the machine has too little memory for the derivatives of so many steps; empty: it has enough. Collective.
+  std::string shortage_of_derivatives(const CycleScene &scene, unsigned int n_steps);
 
   /// All roots about the equilibrium. @throws InputError if points stick in it
   std::vector<StabilityRoot> roots_of(const CycleScene &scene);

@@ -47,6 +47,8 @@ namespace vibrocontact
     unsigned int spread = 0;
     /// nothing: it was not found
     std::optional<CyclePeriod> period;
+    /// why it was not sought at all
+    bool lacks_memory = false;
   };
 
   /// With more and more points, until the contact stays on them. Collective.

@@ -28,7 +28,7 @@ namespace vibrocontact
     unsigned int max_newton_iterations = 20;
     /// Floquet multipliers that are listed, the largest; 0: they are not computed
     unsigned int n_multipliers = 12;
-    /// whether each cycle is found once more in half as many steps, to tell their error
+    /// whether each cycle is found once more in other steps, to tell their error
     bool error_estimate = true;
     /// numbers of harmonics with which each cycle is found by harmonic balance as well; empty: it is not
     std::vector<unsigned int> harmonics;

@@ -26,6 +26,8 @@ namespace vibrocontact
   /// Index of the perturbed mode among the labels body:label of modes; their number if none is perturbed.
   /// @throws InputError if there is no such mode, with near ones
   unsigned int perturbed_mode(const TransientParameters &transient, const std::vector<std::string> &labels);
+  /// @throws InputError where theta takes more from the growth of the mode that is perturbed than its damping, and a fifth of it by the end
+  void check_theta_keeps_mode(const TransientParameters &parameters, const ContactPair &pair);
 
   /// The quasi-static equilibrium of the pair under a drive.
   /// @throws InputError, ConvergenceError
