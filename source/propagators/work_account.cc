@@ -17,6 +17,11 @@ namespace vibrocontact
     file("work/least", least_work);
   }
 
+  Complex ModalEnergy::gain(const Complex pole)
+  {
+    return 1. / Complex(0, 2 * pole.imag());
+  }
+
   bool ModalEnergy::applies(const BodyInContact &model)
   {
     if (model.relaxation > 0 && has_rest(model))
@@ -25,7 +30,7 @@ namespace vibrocontact
     {
       if (model.poles[k].imag() == 0 || is_rigid_motion(model.poles[k]))
         return false;
-      const Complex gain = 1. / Complex(0, 2 * model.poles[k].imag());
+      const Complex gain = ModalEnergy::gain(model.poles[k]);
       for (unsigned int i = 0; i < model.n_rows(); ++i)
         if (model.right(i, k).imag() != 0 ||
             std::abs(model.left(i, k) - gain * model.right(i, k)) > 1e-12 * std::abs(model.left(i, k)))
@@ -73,6 +78,8 @@ namespace vibrocontact
     for (unsigned int k = 0; k < model.n_poles(); ++k)
       for (unsigned int i = 0; i < model.n_rows(); ++i)
         shapes(k, i) = model.right(i, k).real();
+    for (const Complex pole : model.poles)
+      gains.push_back(ModalEnergy::gain(pole));
     initial = modes.energy(z);
   }
 
@@ -84,13 +91,12 @@ namespace vibrocontact
 
   void SteppedModalWork::add(const double *q)
   {
-    const DenseVector forces(q, q + last.size());
-    set_modal_force(forces, modal_force);
+    std::copy(q, q + last.size(), last.begin());
+    set_modal_force(last, modal_force);
     for (unsigned int k = 0; k < z.size(); ++k)
     {
       const double now = modal_force[k], before = last_modal_force[k];
-      // of a unit modal force, see ModalEnergy::applies()
-      const Complex into = 1. / Complex(0, 2 * model.poles[k].imag());
+      const Complex into = gains[k];
       if (interpolation == ForceInterpolation::impulse)
       {
         const Complex next = z[k] + h * now * into;
@@ -112,7 +118,6 @@ namespace vibrocontact
       z[k] = next;
     }
     std::swap(modal_force, last_modal_force);
-    last = forces;
   }
 
   double SteppedModalWork::energy() const

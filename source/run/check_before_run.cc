@@ -60,14 +60,14 @@ namespace vibrocontact
       for (const BodyParameters &body : parameters.scene.bodies)
         transformed =
             transformed || (body.description->measured() && body.description->measured()->inverse_transform);
-      const std::vector<std::string> methods = own.method_list();
-      const bool by_lsce =
+      const std::vector<FitMethod> methods = own.method_list();
+      const bool by_impulses =
           std::any_of(methods.begin(), methods.end(),
-                      [](const std::string &method) { return method.rfind("lsce", 0) == 0; });
-      if (!transformed && !by_lsce)
+                      [](const FitMethod &method) { return method.reads_impulse_responses; });
+      if (!transformed && !by_impulses)
         return;
       const FrequencyData &data = measured->data;
-      if (by_lsce && !transformed)
+      if (by_impulses && !transformed)
         impulse_responses(spectra(data), 0);
       if (transformed)
         band_limited_model(spectra(data), entry_map(data));

@@ -89,13 +89,14 @@ namespace vibrocontact
   {
     const std::string section = "Identification";
     const bool by_target = identification.target_error > 0;
-    const std::vector<std::string> methods = identification.method_list();
+    const std::vector<FitMethod> methods = identification.method_list();
+    const bool by_relocation = std::any_of(methods.begin(), methods.end(),
+                                           [](const FitMethod &method) { return method.relocates_poles; });
     entries.add_if(is_read && !by_target, condition + ", without a Target error", section,
                    "Numbers of pole pairs");
     entries.add_if(is_read && by_target, condition + ", with a Target error", section,
                    "Largest number of pole pairs");
-    entries.add_if(is_read && std::count(methods.begin(), methods.end(), "vector fitting") > 0,
-                   condition + " by vector fitting", section, "Iterations");
+    entries.add_if(is_read && by_relocation, condition + " by vector fitting", section, "Iterations");
   }
 
   void add_all_entries(EntriesRead &entries, const std::string &section, ParameterGroup &group)

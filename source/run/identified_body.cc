@@ -78,7 +78,7 @@ namespace vibrocontact
     }
     const FrequencyData &data = measured.value().data;
     IdentificationParameters first = parameters.identification;
-    first.methods = first.method_list().front();
+    first.methods = first.method_list().front().name;
     first.pairs = {first.pairs.front()};
     first.contact_step = contact_step;
     const Identification one = identify(first, data, print_fit).front();

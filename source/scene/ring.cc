@@ -91,10 +91,10 @@ namespace vibrocontact
     else if ((n_points - 1) * spacing > dealii::numbers::PI * radius)
       text << section << "/Contact spacing spreads " << n_points << " contact points over "
            << (n_points - 1) * spacing << " m, more than half of the ring: lower it or Contact points.";
-    else if (model == "analytic" && residual && residual_order <= highest_order)
+    else if (!is_meshed() && residual && residual_order <= highest_order)
       text << section << "/Residual order (" << residual_order << ") must be larger than Highest order ("
            << highest_order << "), or set Residual to false.";
-    else if (model == "solid elements" && 2. * divisions * degree * (degree + 1) > 1e6)
+    else if (is_solid() && 2. * divisions * degree * (degree + 1) > 1e6)
       text << section << " asks for more than 1,000,000 dofs: lower Divisions or Element degree.";
     else if (order(0).tangential <= 0)
       text << section
@@ -221,7 +221,7 @@ namespace vibrocontact
     entries.add_if(analytic, "Model is analytic", section, "Highest order, Residual");
     entries.add_if(analytic && residual, "Model is analytic and Residual is true", section, "Residual order");
     entries.add_if(!analytic, "Model is beam elements or solid elements", section, "Divisions");
-    entries.add_if(model == "solid elements", "Model is solid elements", section, "Element degree");
+    entries.add_if(is_solid(), "Model is solid elements", section, "Element degree");
     entries.add_if(use.contact, "the ring is in contact", section, "Contact points, Tread stiffness");
     entries.add_if(use.contact && (n_points > 1 || (use.tangential && rolling)),
                    "there are several Contact points or the ring rolls with friction", section,

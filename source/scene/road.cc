@@ -40,7 +40,7 @@ namespace vibrocontact
     make_speed(parameters, end_time);
     jumps.push_back(loading_time);
     std::sort(jumps.begin(), jumps.end());
-    const RoadProfileEntry &kind = find_named(road_profiles(), parameters.profile, "profile of a road");
+    const RoadProfileEntry &kind = parameters.profile_entry();
     if (!kind.make)
       return;
     const auto [first, last] = std::minmax_element(places.begin(), places.end());

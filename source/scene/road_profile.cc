@@ -152,6 +152,11 @@ namespace vibrocontact
     return rows;
   }
 
+  const RoadProfileEntry &RoadParameters::profile_entry() const
+  {
+    return find_named(road_profiles(), profile, "profile of a road");
+  }
+
   FunctionBreaks breaks_of(const std::function<double(double)> &f, const double begin, const double end,
                            const double length, const std::string &entry, const std::string &variable,
                            const std::string &unit)
@@ -243,9 +248,8 @@ namespace vibrocontact
       if (row.value)
         check_taken(!(this->*row.value).empty(), row.name == profile, row.entry, row.name);
     }
-    check_taken(interpolation != RoadParameters().interpolation,
-                find_named(road_profiles(), profile, "profile of a road").interpolates, "Table interpolation",
-                "table");
+    check_taken(interpolation != RoadParameters().interpolation, profile_entry().interpolates,
+                "Table interpolation", "table");
     if (!speed_expression.empty() && !speed_table.empty())
       throw InputError("Road/Speed expression and Road/Speed table are both given: leave one.");
     if ((!speed_expression.empty() || !speed_table.empty()) && speed != 0)

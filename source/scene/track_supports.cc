@@ -96,7 +96,7 @@ namespace vibrocontact
     else if (has_sleeper_beams() && !(rail_distance > 0 && sleeper_length > rail_distance))
       text << path << "/Sleeper length (" << sleeper_length << " m) must be above Rail distance ("
            << rail_distance << " m), and that above 0.";
-    else if (sleeper_model == "beam" && !(sleeper_bending_stiffness > 0 && sleeper_shear_stiffness > 0))
+    else if (sleepers_bend() && !(sleeper_bending_stiffness > 0 && sleeper_shear_stiffness > 0))
       text << path
            << "/Sleeper model is beam: give a Sleeper bending stiffness and a Sleeper shear stiffness above "
               "0, or set it to rigid beam.";
@@ -127,7 +127,7 @@ namespace vibrocontact
                    "Ballast stiffness x, Ballast stiffness y, Ballast stiffness z, Ballast loss factor");
     entries.add_if(has_sleeper_beams(), "sleepers are beams", section,
                    "Rails, Sleeper length, Rail distance, Sleeper gyration radius");
-    entries.add_if(has_sleeper_beams() && sleeper_model == "beam", "sleepers bend", section,
+    entries.add_if(sleepers_bend(), "sleepers bend", section,
                    "Sleeper bending stiffness, Sleeper shear stiffness, Sleeper loss factor");
     entries.add_if(n_supports > 0, "there are Supports laid one by one", section,
                    "Beyond supports, Pad scatter, Spacing scatter");

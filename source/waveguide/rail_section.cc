@@ -66,7 +66,7 @@ namespace vibrocontact
         {supports.ballast_stiffness_x, supports.ballast_stiffness_y, supports.ballast_stiffness_z}};
     sleeper.ballast_loss = supports.ballast_loss_factor;
     if (supports.has_sleeper_beams())
-      sleeper.beam = {supports.sleeper_model == "beam", supports.sleeper_length,
+      sleeper.beam = {supports.sleepers_bend(),         supports.sleeper_length,
                       supports.rail_distance,           supports.sleeper_bending_stiffness,
                       supports.sleeper_shear_stiffness, supports.sleeper_gyration_radius,
                       supports.sleeper_loss_factor};

@@ -43,6 +43,8 @@ namespace vibrocontact
     using Complex = std::complex<double>;
     /// Whether the poles are those of real modes, none damped beyond critical, and no rest relaxes beside them.
     static bool applies(const BodyInContact &model);
+    /// What a unit modal force adds to z'.
+    static Complex gain(Complex pole);
     explicit ModalEnergy(const BodyInContact &model);
 
     /// z less the equilibrium's
@@ -81,11 +83,12 @@ namespace vibrocontact
     const ModalEnergy modes;
     const double h;
     const ForceInterpolation interpolation;
-    std::vector<Complex> z;
+    /// z, and what a unit modal force adds to its rate
+    std::vector<Complex> z, gains;
     StepWeights weights;
     /// n_poles x n_rows
     DenseMatrix shapes;
-    /// forces of the step before; on the modes, of this step and the one before
+    /// forces of the last step; on the modes, of this step and the one before
     DenseVector last, modal_force, last_modal_force;
     double initial = 0, work = 0;
   };

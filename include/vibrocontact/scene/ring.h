@@ -92,6 +92,7 @@ namespace vibrocontact
     bool touches_downwards_only() const override { return true; }
 
     bool is_meshed() const { return model != "analytic"; }
+    bool is_solid() const { return model == "solid elements"; }
     /// Omega at a speed of rolling [rad/s]: what rolls forward turns backwards in its own coordinate.
     double rotation(const double speed) const { return rolling ? -speed / radius : 0.; }
     /// m [kg/m], B, k and t [N/m^2]

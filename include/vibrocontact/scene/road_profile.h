@@ -11,6 +11,8 @@
 
 namespace vibrocontact
 {
+  struct RoadProfileEntry;
+
   /// `subsection Road`: what body 1 rolls over, and how fast.
   struct RoadParameters
   {
@@ -36,6 +38,7 @@ namespace vibrocontact
 
     void declare_parameters(dealii::ParameterHandler &prm);
     void check() const;
+    const RoadProfileEntry &profile_entry() const;
   };
 
   /// Height z over the position s along a road: an expression; a table, by its natural cubic spline (smooth, but it swings beside steps of the table), by

@@ -48,6 +48,8 @@ namespace vibrocontact
     bool scatters() const { return pad_scatter > 0 || spacing_scatter > 0; }
     /// whether it is not one of equal supports without end
     bool is_irregular() const { return n_supports > 0; }
+    /// whether sleepers are longer than a point, and whether they are more than rigid
     bool has_sleeper_beams() const { return sleeper_mass > 0 && sleeper_model != "mass"; }
+    bool sleepers_bend() const { return has_sleeper_beams() && sleeper_model == "beam"; }
   };
 } // namespace vibrocontact

@@ -1,6 +1,5 @@
 #include <vibrocontact/analyses/identification/identification.h>
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/base/wall_clock.h>
@@ -17,8 +16,30 @@ namespace vibrocontact
 
   namespace
   {
-    const std::vector<std::string> method_names = {"vector fitting", "lsce", "lsce with real amplitudes"};
+    PoleFit fit_by_relocation(const Spectra &data, const unsigned int n_pairs, const ResidueRules &rules,
+                              const unsigned int n_iterations)
+    {
+      VectorFittingOptions options;
+      options.n_iterations = n_iterations;
+      options.rules = rules;
+      return vector_fit(data, n_pairs, options);
+    }
+
+    PoleFit fit_by_lsce(const Spectra &data, const unsigned int n_pairs, const ResidueRules &rules,
+                        const unsigned int)
+    {
+      return lsce_fit(data, n_pairs, rules);
+    }
   } // namespace
+
+  const std::vector<FitMethod> &fit_methods()
+  {
+    static const std::vector<FitMethod> rows = {
+        {"vector fitting", true, false, false, fit_by_relocation},
+        {"lsce", false, true, false, fit_by_lsce},
+        {"lsce with real amplitudes", false, true, true, fit_by_lsce}};
+    return rows;
+  }
 
   void IdentificationParameters::declare_parameters(dealii::ParameterHandler &prm)
   {
@@ -86,9 +107,12 @@ namespace vibrocontact
                       "Poles over their number, as table and figure. Units: none.");
   }
 
-  std::vector<std::string> IdentificationParameters::method_list() const
+  std::vector<FitMethod> IdentificationParameters::method_list() const
   {
-    return split_list(methods);
+    std::vector<FitMethod> rows;
+    for (const std::string &name : split_list(methods))
+      rows.push_back(find_named(fit_methods(), name, "method of Identification/Method"));
+    return rows;
   }
 
   void IdentificationParameters::check() const
@@ -96,11 +120,8 @@ namespace vibrocontact
     if (data_file.empty())
       throw InputError("Identification/Data file is empty: name the file with the frequency responses.");
     if (method_list().empty())
-      throw InputError("Identification/Method is empty: choose " + quoted_list(method_names) + ".");
-    for (const std::string &method : method_list())
-      if (std::find(method_names.begin(), method_names.end(), method) == method_names.end())
-        throw InputError("Identification/Method: there is no method \"" + method + "\"; " +
-                         name_suggestion(method, method_names) + ".");
+      throw InputError("Identification/Method is empty: choose " + quoted_list(names_of(fit_methods())) +
+                       ".");
     if (upper_frequency > 0 && upper_frequency <= lower_frequency)
       throw InputError("Identification/Upper frequency = " + number_text(upper_frequency) +
                        " Hz is not above Lower frequency = " + number_text(lower_frequency) +
@@ -142,19 +163,13 @@ namespace vibrocontact
 
   namespace
   {
-    /// The poles of one method and their residues by its rules.
-    PoleFit fit_by(const std::string &method, const Spectra &data, const unsigned int n_pairs,
-                   ResidueRules rules, const unsigned int n_iterations)
+    ResidueRules rules_of(const IdentificationParameters &parameters, const FitMethod &method)
     {
-      if (method == "vector fitting")
-      {
-        VectorFittingOptions options;
-        options.n_iterations = n_iterations;
-        options.rules = rules;
-        return vector_fit(data, n_pairs, options);
-      }
-      rules.real_amplitudes = method == "lsce with real amplitudes";
-      return lsce_fit(data, n_pairs, rules);
+      ResidueRules rules;
+      rules.direct = parameters.direct;
+      rules.zero_initial_value = parameters.zero_initial_value;
+      rules.real_amplitudes = method.real_amplitudes;
+      return rules;
     }
 
     /// Slopes g'(0+) of the entries with the eigenvalues of their symmetric part raised.
@@ -179,16 +194,13 @@ namespace vibrocontact
     }
 
     Identification identify_once(const IdentificationParameters &parameters, const Spectra &data,
-                                 const EntryMap &map, const std::string &method, const unsigned int n_pairs)
+                                 const EntryMap &map, const FitMethod &method, const unsigned int n_pairs)
     {
       const auto begin = WallClock::now();
       Identification result;
-      result.method = method;
+      result.method = method.name;
       result.n_asked = n_pairs;
-      ResidueRules rules;
-      rules.direct = parameters.direct;
-      rules.zero_initial_value = parameters.zero_initial_value;
-      rules.real_amplitudes = method == "lsce with real amplitudes";
+      ResidueRules rules = rules_of(parameters, method);
       const double entries = data.values.size(), numbers = 2 * entries * data.omega.size(),
                    fitted = n_pairs * (2 + entries * (rules.real_amplitudes ? 1 : 2));
       result.error_of_noise = std::sqrt(std::max(0., 1 - fitted / numbers));
@@ -208,7 +220,7 @@ namespace vibrocontact
         if (result.checked)
           result.well_posedness = well_posedness_of_contact(result.identified.model, parameters.contact_step);
       };
-      take(fit_by(method, data, n_pairs, rules, parameters.n_iterations));
+      take(method.fit(data, n_pairs, rules, parameters.n_iterations));
       if (result.checked && parameters.repair && !result.well_posedness.usable())
       {
         const Identification before = result;
@@ -216,7 +228,7 @@ namespace vibrocontact
         {
           rules.direct = false;
           rules.zero_initial_value = true;
-          take(fit_by(method, data, n_pairs, rules, parameters.n_iterations));
+          take(method.fit(data, n_pairs, rules, parameters.n_iterations));
         }
         if (!result.well_posedness.usable())
         {
@@ -250,7 +262,7 @@ namespace vibrocontact
       results.push_back(one);
       finished(one);
     };
-    for (const std::string &method : parameters.method_list())
+    for (const FitMethod &method : parameters.method_list())
     {
       if (parameters.target_error <= 0)
       {
@@ -281,14 +293,12 @@ namespace vibrocontact
     unsigned int last = parameters.target_error > 0 ? parameters.largest : 0;
     if (last == 0)
       last = *std::max_element(parameters.pairs.begin(), parameters.pairs.end());
-    ResidueRules rules;
-    rules.direct = parameters.direct;
-    rules.zero_initial_value = parameters.zero_initial_value;
+    const FitMethod method = parameters.method_list().front();
+    const ResidueRules rules = rules_of(parameters, method);
     std::vector<ChartPole> chart, before;
     for (unsigned int n_pairs = 2; n_pairs <= last; n_pairs += 2)
     {
-      const PoleFit fit =
-          fit_by(parameters.method_list().front(), lines, n_pairs, rules, parameters.n_iterations);
+      const PoleFit fit = method.fit(lines, n_pairs, rules, parameters.n_iterations);
       std::vector<ChartPole> now;
       for (const Complex &pole : fit.poles)
       {

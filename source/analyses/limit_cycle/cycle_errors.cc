@@ -9,7 +9,7 @@ namespace vibrocontact
 {
   namespace
   {
-    /// of the other cycle, whatever that of the user is: an estimate needs two digits
+    /// of the other cycle, whatever the user asks of his own: an estimate needs two digits
     constexpr double tolerance_of_other = 1e-7;
     /// of the change of all harmonics: amplitude and first harmonic may agree by chance
     constexpr double least_of_harmonics = 0.5;
@@ -17,9 +17,11 @@ namespace vibrocontact
     /// Root of the squares of all changes of the harmonics but the mean.
     double change_of_harmonics(const std::vector<double> &here, const std::vector<double> &there)
     {
+      const auto at = [](const std::vector<double> &harmonics, const std::size_t k)
+      { return k < harmonics.size() ? harmonics[k] : 0.; };
       double sum = 0;
       for (std::size_t k = 1; k < std::max(here.size(), there.size()); ++k)
-        sum += std::pow((k < here.size() ? here[k] : 0.) - (k < there.size() ? there[k] : 0.), 2);
+        sum += std::pow(at(here, k) - at(there, k), 2);
       return std::sqrt(sum);
     }
 

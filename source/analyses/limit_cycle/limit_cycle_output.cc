@@ -260,23 +260,25 @@ namespace vibrocontact
   void add_sums(const nlohmann::ordered_json &cycles, nlohmann::ordered_json &search)
   {
     const auto is_heard = [](const nlohmann::ordered_json &signal) { return signal.contains("level_dB"); };
-    std::vector<nlohmann::ordered_json> stand;
+    std::vector<const nlohmann::ordered_json *> stand;
     unsigned int n_roots_with_cycle = 0;
     for (const nlohmann::ordered_json &cycle : cycles)
       if (cycle.at("converged").get<bool>())
       {
         ++n_roots_with_cycle;
         if (!cycle.contains("same_as"))
-          stand.push_back(cycle);
+          stand.push_back(&cycle);
       }
     bool any_heard = false;
-    for (const nlohmann::ordered_json &cycle : stand)
-      for (const nlohmann::ordered_json &signal : answer_parts::list(cycle, "signals"))
+    for (const nlohmann::ordered_json *const cycle : stand)
+      for (const nlohmann::ordered_json &signal : answer_parts::list(*cycle, "signals"))
         any_heard = any_heard || is_heard(signal);
     // without probes by the first normal force
     const char *const size = any_heard ? "amplitude_m_s" : "amplitude_N";
     nlohmann::ordered_json loudest;
-    for (const nlohmann::ordered_json &cycle : stand)
+    for (const nlohmann::ordered_json *const one : stand)
+    {
+      const nlohmann::ordered_json &cycle = *one;
       for (const nlohmann::ordered_json &signal : answer_parts::list(cycle, "signals"))
       {
         const bool counts = any_heard ? is_heard(signal) : &signal == &cycle["signals"].front();
@@ -293,6 +295,7 @@ namespace vibrocontact
         if (!answer_parts::list(cycle, "multipliers").empty())
           loudest["largest_growth_1_s"] = cycle["multipliers"][0]["growth_1_s"];
       }
+    }
     search["roots"] = cycles.size() + search.at("not_found").size();
     search["roots_with_cycle"] = n_roots_with_cycle;
     search["cycles_found"] = stand.size();

@@ -151,7 +151,7 @@ namespace vibrocontact
     void add_road(EntriesRead &entries, const std::string &section, const RoadParameters &road,
                   const bool rolls, const bool friction, const bool by_force = false)
     {
-      const bool flat = !find_named(road_profiles(), road.profile, "profile of a road").make;
+      const bool flat = !road.profile_entry().make;
       entries.add(section, "Profile, Expression, Table, Indentation");
       for (const RoadProfileEntry &row : road_profiles())
         if (!row.reads.empty())

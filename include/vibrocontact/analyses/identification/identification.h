@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/base/named_table.h>
 #include <vibrocontact/bodies/identified_model.h>
 #include <vibrocontact/bodies/passive_fit.h>
 #include <vibrocontact/propagators/well_posedness.h>
@@ -16,6 +17,21 @@ namespace vibrocontact
   /// E of a fit that follows nothing, over what it would leave of noise [-]
   constexpr double misses_most = 0.5;
 
+  /// A row of the table of methods.
+  struct FitMethod
+  {
+    std::string name;
+    /// reads `Iterations`
+    bool relocates_poles;
+    /// in which lines from 0 Hz on are needed
+    bool reads_impulse_responses;
+    /// A_k of the paper
+    bool real_amplitudes;
+    PoleFit (*fit)(const Spectra &data, unsigned int n_pairs, const ResidueRules &rules,
+                   unsigned int n_iterations);
+  };
+  const std::vector<FitMethod> &fit_methods();
+
   /// `subsection Identification`: a body known by measured or computed Green's functions becomes poles.
   struct IdentificationParameters
   {
@@ -30,7 +46,7 @@ namespace vibrocontact
     bool passive_data = true;
     /// the model of a body at rest becomes passive
     bool enforce_passivity = true;
-    /// separated by commas: "vector fitting", "lsce", "lsce with real amplitudes" (the paper's A_k)
+    /// names of the table of methods, separated by commas
     std::string methods = "vector fitting";
     /// one fit for each, unless a target is set: then the smallest number that reaches it, up to `largest`
     std::vector<unsigned int> pairs = {25};
@@ -48,7 +64,8 @@ namespace vibrocontact
     void declare_parameters(dealii::ParameterHandler &prm);
     /// @throws InputError
     void check() const;
-    std::vector<std::string> method_list() const;
+    /// @throws InputError for a name that the table has not
+    std::vector<FitMethod> method_list() const;
     DataRules data_rules() const { return {rolling, lower_frequency, upper_frequency, delay}; }
   };
 
