@@ -100,8 +100,7 @@ def plot_branches(folder, limit_cycle):
         branch = cycle["branch"]
         points = branch["points"]
         value = np.array([point["value"] for point in points])
-        heard = loudest_of(points[0])["name"]
-        amplitude = np.array([next(one for one in point["signals"] if one["name"] == heard)["amplitude"] for point in points])
+        amplitude = np.array([amplitude_of(point, cycle["main_signal"]) for point in points])
         line, = loud.plot(value, amplitude, "-", lw=1, label=cycle["root"]["label"])
         color = line.get_color()
         for one, marker, face in (("stable", "o", color), ("unstable", "o", "white"), ("neutral", ".", color)):
@@ -113,7 +112,7 @@ def plot_branches(folder, limit_cycle):
                 loud.plot(end["onset"], 0, "^", color=color, clip_on=False)
         if "first_stick" in branch:
             loud.axvline(branch["first_stick"]["value"], color=color, lw=0.5, ls=":")
-    loud.set_ylabel(words_of(loudest_of(followed[0]["branch"]["points"][0])))
+    loud.set_ylabel(label_of(followed[0]["main_signal"]))
     loud.set_title("\u25cf stable   \u25cb unstable   . neutral or not judged   \u25b2 onset   : first stick", loc="left", fontsize=8)
     loud.set_ylim(0, 1.05 * loud.get_ylim()[1])
     pitch.set_ylabel("frequency [Hz]")
@@ -137,8 +136,8 @@ def loudest_of(cycle):
     return max(velocities, key=lambda one: one["level_dB"]) if velocities else cycle["signals"][0]
 
 
-def words_of(signal):
-    return signal["name"].replace("_velocity_m_s", " [m/s]").replace("_N", " [N]").replace("_", " ")
+def amplitude_of(cycle, name):
+    return next(one for one in cycle["signals"] if one["name"] == name)["amplitude"]
 
 
 def plot_amplitudes(folder, sweep):
@@ -197,7 +196,7 @@ def plot_map(folder, sweep):
         if cycle:
             fields[:, np.searchsorted(y, over), np.searchsorted(x, at)] = [cycle[0], cycle[1], labels.index(cycle[2])]
     # a body without probes is heard by its contact force
-    names = [words_of(loudest_of(cycle)) for case in sweep["cases"] for cycle in case.get("limit_cycle", [])]
+    names = [label_of(loudest_of(cycle)["name"]) for case in sweep["cases"] for cycle in case.get("limit_cycle", [])]
     amplitude = "velocity [m/s]" if all("[m/s]" in name for name in names) else names[0] if len(set(names)) == 1 else "amplitude, velocities and forces"
     panels = [(amplitude, "viridis"), ("power into body 1 [W]", "magma")] + ([("which motion is loudest", None)] if len(labels) > 1 else [])
     figure, axes = plt.subplots(1, len(panels), figsize=(4.6 * len(panels), 3.6), squeeze=False)
@@ -237,8 +236,7 @@ def followed_loudest(cases, column):
     loudest = {(case["swept"][column], over): None for case in cases for over in grid}
     for at, cycle in branches:
         points = cycle["branch"]["points"]
-        heard = loudest_of(points[0])["name"]
-        rows = [(point["value"], next(one for one in point["signals"] if one["name"] == heard)["amplitude"], point["power_into_body_1_W"]) for point in points]
+        rows = [(point["value"], amplitude_of(point, cycle["main_signal"]), point["power_into_body_1_W"]) for point in points]
         for before, after in zip(rows, rows[1:]):
             low, high = sorted((before, after))
             for over in grid[(grid >= low[0]) & (grid <= high[0])]:
