@@ -12,6 +12,11 @@
 
 namespace vibrocontact
 {
+  bool StabilityRoot::grows() const
+  {
+    return growth > least_divergence_rate * 2 * dealii::numbers::PI * frequency;
+  }
+
   Eigenvalues eigenvalues(DenseMatrix matrix, const bool with_left_vectors)
   {
     const dealii::types::blas_int size = matrix.m();

@@ -1,6 +1,6 @@
-#include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/scene/cell_elements.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/vector.h>

@@ -1,6 +1,6 @@
 #include <vibrocontact/fe/attached_points.h>
-#include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/fe/elasticity.h>
+#include <vibrocontact/scene/cell_elements.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>

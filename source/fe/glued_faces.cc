@@ -1,10 +1,10 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
-#include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/fe/glued_faces.h>
 #include <vibrocontact/fe/glued_surfaces.h>
 #include <vibrocontact/fe/own_faces.h>
+#include <vibrocontact/scene/cell_elements.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_values.h>

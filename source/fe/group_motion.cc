@@ -1,7 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/fe/group_motion.h>
 #include <vibrocontact/fe/own_faces.h>
+#include <vibrocontact/scene/cell_elements.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,6 +1,6 @@
 #include <vibrocontact/fe/attached_points.h>
-#include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/fe/prestress.h>
+#include <vibrocontact/scene/cell_elements.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/fe/fe_values.h>

@@ -2,8 +2,8 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/fe/attached_points.h>
-#include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/fe/own_faces.h>
+#include <vibrocontact/scene/cell_elements.h>
 
 #include <deal.II/base/mpi.h>
 

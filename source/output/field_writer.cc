@@ -1,7 +1,7 @@
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/collective.h>
-#include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/output/field_writer.h>
+#include <vibrocontact/scene/cell_elements.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/numerics/data_out.h>

@@ -1,5 +1,4 @@
 #include <vibrocontact/analyses/limit_cycle/check_limit_cycle.h>
-#include <vibrocontact/analyses/transient/check_transient.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
@@ -11,6 +10,7 @@
 #include <vibrocontact/run/check_hub.h>
 #include <vibrocontact/run/check_loading.h>
 #include <vibrocontact/run/check_periodic.h>
+#include <vibrocontact/run/check_transient.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/parameters.h>
 #include <vibrocontact/scene/identified.h>

@@ -1,10 +1,10 @@
 #include <vibrocontact/analyses/modal_convolution/modal_convolution.h>
-#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/input_files.h>
 #include <vibrocontact/base/parameter_text.h>
+#include <vibrocontact/marching/transient_checkpoint.h>
 #include <vibrocontact/run/earlier_run.h>
 
 #include <fstream>

@@ -1,6 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
-#include <vibrocontact/fe/cell_elements.h>
+#include <vibrocontact/scene/cell_elements.h>
 #include <vibrocontact/scene/file_boundaries.h>
 #include <vibrocontact/scene/mesh_file.h>
 #include <vibrocontact/scene/mesh_quality.h>

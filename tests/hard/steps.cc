@@ -4,7 +4,8 @@
 #include "../unit/pi.h"
 #include "report.h"
 
-#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/transient_march.h>
 
 #include <gtest/gtest.h>
 

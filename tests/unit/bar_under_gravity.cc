@@ -3,7 +3,8 @@
 
 #include "element_scene.h"
 
-#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/transient_march.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "scratch_folder.h"
 
 #include <vibrocontact/analyses/limit_cycle/limit_cycle.h>
-#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/marching/initial_state.h>
 
 #include <cmath>
 #include <fstream>

@@ -5,11 +5,11 @@
 
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/fe/assemble_body.h>
-#include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/fe/elastic_body.h>
 #include <vibrocontact/reduction/compute_modes.h>
 #include <vibrocontact/reduction/modes.h>
 #include <vibrocontact/scene/block.h>
+#include <vibrocontact/scene/cell_elements.h>
 #include <vibrocontact/scene/mesh_file.h>
 
 #include <gmsh.h>

@@ -7,9 +7,9 @@
 
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/fe/assemble_body.h>
-#include <vibrocontact/fe/cell_elements.h>
 #include <vibrocontact/output/field_writer.h>
 #include <vibrocontact/reduction/compute_modes.h>
+#include <vibrocontact/scene/cell_elements.h>
 #include <vibrocontact/scene/file_cells.h>
 #include <vibrocontact/scene/mesh_file.h>
 

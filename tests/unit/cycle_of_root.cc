@@ -8,7 +8,8 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_balance.h>
 #include <vibrocontact/analyses/limit_cycle/cycle_equations.h>
 #include <vibrocontact/analyses/limit_cycle/cycle_period.h>
-#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/transient_march.h>
 #include <vibrocontact/numerics/signal.h>
 
 #include <gtest/gtest.h>

@@ -5,8 +5,8 @@
 
 #include <vibrocontact/analyses/limit_cycle/balanced_cycle.h>
 #include <vibrocontact/analyses/limit_cycle/cycle_errors.h>
-#include <vibrocontact/analyses/transient/step_levels.h>
 #include <vibrocontact/contact/contact_solvers.h>
+#include <vibrocontact/marching/step_levels.h>
 
 #include <boost/math/tools/roots.hpp>
 

@@ -3,10 +3,11 @@
 #include "held_bar.h"
 #include "pi.h"
 
-#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/csv_table.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/transient_march.h>
 
 #include <vibrocontact/numerics/short_wave_share.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient/drive.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
+#include <vibrocontact/marching/drive.h>
 
 #include <cmath>
 #include <complex>

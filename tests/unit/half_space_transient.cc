@@ -1,7 +1,8 @@
 // Two half-spaces in time: by kernels over the distance between points as by matrices of all points, and on a grid whose
 // matrices would not fit.
 
-#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/transient_march.h>
 #include <vibrocontact/scene/half_space_body.h>
 
 #include <gtest/gtest.h>

@@ -3,8 +3,9 @@
 
 #include "pi.h"
 
-#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/transient_march.h>
 
 #include <gtest/gtest.h>
 

@@ -6,10 +6,11 @@
 #include "root_distance.h"
 
 #include <vibrocontact/analyses/stability/stability.h>
-#include <vibrocontact/analyses/transient/transient.h>
-#include <vibrocontact/analyses/transient/transient_hub.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/coupled_bodies/suspended_pair.h>
+#include <vibrocontact/marching/hub_motion.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/transient_march.h>
 
 #include <gtest/gtest.h>
 

@@ -8,9 +8,10 @@
 
 #include <vibrocontact/analyses/stability/sparse_roots.h>
 #include <vibrocontact/analyses/stability/stability.h>
-#include <vibrocontact/analyses/transient/drive.h>
-#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/coupled_bodies/inertial_contact.h>
+#include <vibrocontact/marching/drive.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/transient_march.h>
 #include <vibrocontact/reduction/attachment_inertia.h>
 
 #include <gtest/gtest.h>

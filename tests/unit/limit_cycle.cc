@@ -4,8 +4,9 @@
 
 #include "flutter.h"
 
-#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/coupled_bodies/stability_roots.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/transient_march.h>
 #include <vibrocontact/numerics/cycle_measure.h>
 #include <vibrocontact/numerics/growth_fit.h>
 #include <vibrocontact/numerics/spectrum.h>

@@ -4,10 +4,11 @@
 #include "one_oscillation.h"
 #include "sliding_structure.h"
 
-#include <vibrocontact/analyses/transient/transient.h>
-#include <vibrocontact/analyses/transient/transient_hub.h>
 #include <vibrocontact/coupled_bodies/stability_roots.h>
 #include <vibrocontact/coupled_bodies/suspended_pair.h>
+#include <vibrocontact/marching/hub_motion.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/transient_march.h>
 
 #include <gtest/gtest.h>
 

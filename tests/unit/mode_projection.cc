@@ -3,7 +3,8 @@
 #include "flutter.h"
 
 #include <vibrocontact/analyses/transient/mode_recorder.h>
-#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/transient_march.h>
 
 #include <gtest/gtest.h>
 

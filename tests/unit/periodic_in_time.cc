@@ -5,8 +5,9 @@
 
 #include <vibrocontact/analyses/periodic/periodic_motion.h>
 #include <vibrocontact/analyses/periodic/shooting.h>
-#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/contact/laws/normal_laws.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/transient_march.h>
 #include <vibrocontact/propagators/propagator_types.h>
 
 #include <gtest/gtest.h>

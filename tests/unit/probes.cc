@@ -1,7 +1,7 @@
 // Probes: reading the entry, finding the nearest point of a surface, the rim of a wheel.
 
-#include <vibrocontact/analyses/transient/probes.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/marching/probes.h>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Which points enter a time step: none of the others closes unnoticed.
 
-#include <vibrocontact/analyses/transient/contact_stepper.h>
-#include <vibrocontact/analyses/transient/step_levels.h>
-#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/contact/contact_solvers.h>
+#include <vibrocontact/marching/contact_stepper.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/step_levels.h>
 
 #include <gtest/gtest.h>
 

@@ -7,10 +7,11 @@
 #include "sliding_structure.h"
 
 #include <vibrocontact/analyses/stability/root_count.h>
-#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/coupled_bodies/inertial_contact.h>
 #include <vibrocontact/coupled_bodies/sliding_frame.h>
 #include <vibrocontact/coupled_bodies/stability_roots.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/transient_march.h>
 #include <vibrocontact/numerics/complex_singular_values.h>
 
 #include <gtest/gtest.h>

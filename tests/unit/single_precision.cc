@@ -1,6 +1,6 @@
 // What steps in time take in single precision, beside the same in double precision.
-#include <vibrocontact/analyses/transient/step_operator.h>
 #include <vibrocontact/contact/creep.h>
+#include <vibrocontact/marching/step_operator.h>
 #include <vibrocontact/numerics/single_factors.h>
 #include <vibrocontact/numerics/wide_loops.h>
 

@@ -2,8 +2,6 @@
 
 #include "random_structure.h"
 
-#include <vibrocontact/analyses/transient/transient.h>
-
 namespace vibrocontact
 {
   /// A random structure of 9 points by 30 of its 90 modes, pressed by the hub or by a force, that slides along both axes.

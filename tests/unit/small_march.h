@@ -1,7 +1,7 @@
 /// A march of two points, for tests of checkpoints.
 #pragma once
 
-#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/marching/transient_march.h>
 
 namespace vibrocontact
 {

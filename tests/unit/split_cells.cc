@@ -7,7 +7,7 @@
 
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/fe/assemble_body.h>
-#include <vibrocontact/fe/cell_elements.h>
+#include <vibrocontact/scene/cell_elements.h>
 #include <vibrocontact/scene/file_cells.h>
 #include <vibrocontact/scene/mesh_file.h>
 #include <vibrocontact/scene/split_cells.h>

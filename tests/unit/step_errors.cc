@@ -4,8 +4,9 @@
 #include "element_scene.h"
 #include "flutter.h"
 
-#include <vibrocontact/analyses/transient/drive.h>
-#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/marching/drive.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/transient_march.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,8 @@
 // Steps in time: a free bar thrown against a rigid stop by its exact modes and residual flexibility (closed
 // form: contact from 0.5 to 1.16667, force 300, impulse 200, uniform rebound at 10, energy kept).
 
-#include <vibrocontact/analyses/transient/transient.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/transient_march.h>
 
 #include <gtest/gtest.h>
 

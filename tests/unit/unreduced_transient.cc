@@ -7,9 +7,10 @@
 #include "pi.h"
 
 #include <vibrocontact/analyses/stability/stability.h>
-#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/coupled_bodies/finite_element_pair.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/marching/transient_march.h>
 #include <vibrocontact/numerics/null_space.h>
 
 #include <gtest/gtest.h>

@@ -8,6 +8,9 @@
 
 namespace vibrocontact
 {
+  /// A root with a smaller divergence rate does not grow: round-off of an undamped root.
+  constexpr double least_divergence_rate = 1e-9;
+
   /// A complex eigenvalue lambda = growth + i 2 pi frequency of a linearised contact.
   struct StabilityRoot
   {
@@ -27,6 +30,9 @@ namespace vibrocontact
     /// of the same motion the real parts of the states of the poles, then their imaginary parts, each by its complex amplitude;
     /// 2 n_poles, empty if they were not kept: of exact roots, and in sweeps
     std::vector<std::complex<double>> states;
+
+    /// growth > least_divergence_rate times 2 pi frequency
+    bool grows() const;
 
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int)

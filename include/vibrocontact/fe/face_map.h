@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/fe/cell_elements.h>
+#include <vibrocontact/scene/cell_elements.h>
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>

@@ -6,11 +6,11 @@
 #include <vibrocontact/analyses/modal_convolution/method_comparison.h>
 #include <vibrocontact/analyses/periodic/periodic.h>
 #include <vibrocontact/analyses/stability/stability.h>
-#include <vibrocontact/analyses/transient/signal_parameters.h>
-#include <vibrocontact/analyses/transient/transient_parameters.h>
 #include <vibrocontact/base/parameter_file.h>
 #include <vibrocontact/contact/interface.h>
 #include <vibrocontact/coupled_bodies/loading_parameters.h>
+#include <vibrocontact/marching/signal_parameters.h>
+#include <vibrocontact/marching/transient_parameters.h>
 #include <vibrocontact/output/output_parameters.h>
 #include <vibrocontact/reduction/modes.h>
 #include <vibrocontact/reduction/stiffness_solver.h>

@@ -1,8 +1,5 @@
 #include <vibrocontact/analyses/limit_cycle/bordered_cycle.h>
 #include <vibrocontact/analyses/limit_cycle/branch_equations.h>
-#include <vibrocontact/base/exceptions.h>
-
-#include <algorithm>
 
 namespace vibrocontact
 {
@@ -16,7 +13,7 @@ namespace vibrocontact
 
   BranchEquations::BranchEquations(const CycleFamily &family, const LimitCycle &start, const double value,
                                    const double value_size, const double tolerance)
-      : family(family), tolerance(tolerance), value_size(value_size), at(family(value)), value(value),
+      : PeriodEquations(tolerance), family(family), value_size(value_size), at(family(value)), value(value),
         n(at->map->size())
   {
     period = start.period;
@@ -30,69 +27,37 @@ namespace vibrocontact
     by_value.reinit(0);
   }
 
-  double BranchEquations::evaluate(const std::vector<double> &z)
+  CycleMap &BranchEquations::take(const std::vector<double> &z)
   {
-    failure.clear();
-    try
+    if (z[n + 1] != value)
     {
-      if (z[n + 1] != value)
-      {
-        at = family(z[n + 1]);
-        value = z[n + 1];
-      }
-      from_rest = DenseVector(z.begin(), z.begin() + n);
-      start = at->equilibrium;
-      start += from_rest;
-      period = z[n];
-      if (!(period > 0))
-        throw ConvergenceError("a step leads to a period below zero");
-      rest = at->map->march(start, period, true);
+      at = family(z[n + 1]);
+      value = z[n + 1];
     }
-    catch (const ConvergenceError &error)
-    {
-      failure = error.what();
-      return not_evaluated;
-    }
-    rest -= start;
-    return rest.l2_norm() / motion();
+    from_rest = DenseVector(z.begin(), z.begin() + n);
+    start = at->equilibrium;
+    start += from_rest;
+    period = z[n];
+    return *at->map;
   }
 
-  bool BranchEquations::keep(const std::vector<double> &, const double size)
+  DenseVector BranchEquations::step()
   {
-    return size <= tolerance;
-  }
-
-  bool BranchEquations::find_step(bool, std::vector<double> &step)
-  {
-    // of the last place nothing is known
-    if (!failure.empty())
-      return false;
-    try
-    {
-      CycleMap &map = *at->map;
-      if (by_value.size() == 0)
-        by_value = difference_by_value();
-      BorderedCycle system{map, {map.by_period(), by_value}, {map.rate(), DenseVector(n)}, DenseMatrix(2, 2)};
-      system.rows[0] /= system.rows[0].l2_norm();
-      for (unsigned int i = 0; i < n; ++i)
-        system.rows[1][i] = tangent[i];
-      // the condition in units of the state
-      for (unsigned int k = 0; k < 2; ++k)
-        system.corner(1, k) = tangent[n + k] * sizes.state / sizes.of(n + k, n);
-      DenseVector right(n + 2);
-      std::copy(rest.begin(), rest.end(), right.begin());
-      const unsigned long products = map.n_products;
-      const DenseVector x = system.solve(*linear, right);
-      if (map.n_products - products > many_products)
-        renew_preconditioner();
-      step.assign(x.begin(), x.end());
-    }
-    catch (const ConvergenceError &error)
-    {
-      failure = error.what();
-      return false;
-    }
-    return true;
+    CycleMap &map = *at->map;
+    if (by_value.size() == 0)
+      by_value = difference_by_value();
+    BorderedCycle system{map, {map.by_period(), by_value}, {map.rate(), DenseVector(n)}, DenseMatrix(2, 2)};
+    system.rows[0] /= system.rows[0].l2_norm();
+    for (unsigned int i = 0; i < n; ++i)
+      system.rows[1][i] = tangent[i];
+    // the condition in units of the state
+    for (unsigned int k = 0; k < 2; ++k)
+      system.corner(1, k) = tangent[n + k] * sizes.state / sizes.of(n + k, n);
+    const unsigned long products = map.n_products;
+    const DenseVector x = system.solve(*linear, right_side(2));
+    if (map.n_products - products > many_products)
+      renew_preconditioner();
+    return x;
   }
 
   void BranchEquations::renew_preconditioner()

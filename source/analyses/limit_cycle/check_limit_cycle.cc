@@ -1,7 +1,7 @@
 #include <vibrocontact/analyses/limit_cycle/check_limit_cycle.h>
-#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/coupled_bodies/rolling_parameters.h>
+#include <vibrocontact/marching/transient_checkpoint.h>
 
 #include <algorithm>
 

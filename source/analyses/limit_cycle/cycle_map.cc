@@ -1,9 +1,9 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_map.h>
-#include <vibrocontact/analyses/transient/step_levels.h>
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/point_rows.h>
+#include <vibrocontact/marching/step_levels.h>
 
 #include <algorithm>
 #include <cmath>

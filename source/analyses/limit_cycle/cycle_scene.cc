@@ -1,10 +1,10 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_scene.h>
-#include <vibrocontact/analyses/stability/stability.h>
-#include <vibrocontact/analyses/transient/transient.h>
-#include <vibrocontact/analyses/transient/transient_hub.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/run_communicator.h>
+#include <vibrocontact/coupled_bodies/all_roots.h>
+#include <vibrocontact/marching/hub_motion.h>
+#include <vibrocontact/marching/initial_state.h>
 
 #include <algorithm>
 
@@ -93,12 +93,10 @@ namespace vibrocontact
 
   std::vector<StabilityRoot> unstable_of(const std::vector<StabilityRoot> &roots)
   {
-    StabilityResult about;
-    about.roots = roots;
     std::vector<StabilityRoot> unstable;
-    for (const StabilityRoot *const root : about.unstable())
-      if (root->frequency > 0)
-        unstable.push_back(*root);
+    for (const StabilityRoot &root : roots)
+      if (root.grows() && root.frequency > 0)
+        unstable.push_back(root);
     return unstable;
   }
 } // namespace vibrocontact

@@ -1,13 +1,13 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_search.h>
 #include <vibrocontact/analyses/limit_cycle/cycle_start.h>
-#include <vibrocontact/analyses/transient/check_transient.h>
-#include <vibrocontact/analyses/transient/transient.h>
-#include <vibrocontact/analyses/transient/transient_probes.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/marching/transient_checkpoint.h>
 #include <vibrocontact/output/verdict.h>
+#include <vibrocontact/run/check_transient.h>
+#include <vibrocontact/run/probes_on_bodies.h>
 
 #include <algorithm>
 #include <cmath>

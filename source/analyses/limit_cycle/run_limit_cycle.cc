@@ -8,15 +8,15 @@
 #include <vibrocontact/analyses/limit_cycle/run_basins.h>
 #include <vibrocontact/analyses/limit_cycle/run_branch.h>
 #include <vibrocontact/analyses/limit_cycle/run_limit_cycle.h>
-#include <vibrocontact/analyses/transient/check_transient.h>
-#include <vibrocontact/analyses/transient/transient_probes.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/marching/judge_march.h>
+#include <vibrocontact/run/check_transient.h>
 #include <vibrocontact/run/entries_of_contact.h>
+#include <vibrocontact/run/probes_on_bodies.h>
 #include <vibrocontact/run/swept_runs.h>
 
 #include <algorithm>
@@ -174,15 +174,14 @@ namespace vibrocontact
     }
 
     /// Lists a cycle that was found before, from another root; nothing else is asked of it.
-    void add_repeated(const SoughtCycle &sought, const std::size_t number,
-                      const nlohmann::ordered_json &first, const unsigned int n_multipliers,
-                      nlohmann::ordered_json &cycles)
+    void add_repeated(const SoughtCycle &sought, const std::size_t number, const unsigned int first,
+                      const unsigned int n_multipliers, nlohmann::ordered_json &cycles)
     {
       nlohmann::ordered_json again = cycle_json(sought.cycle, *sought.period, n_multipliers);
       again["number"] = number;
-      again["same_as"] = first.at("number");
-      again["converged"] = first.at("converged");
-      run_log().line("  the same as cycle " + first.at("number").dump() + ", from another root");
+      again["same_as"] = first;
+      again["converged"] = true;
+      run_log().line("  the same as cycle " + std::to_string(first) + ", from another root");
       cycles.push_back(again);
     }
 
@@ -218,30 +217,30 @@ namespace vibrocontact
         sums["roots_beside_rail"] = in_time.roots;
       if (!in_time.wrong.empty())
         search.refuse(in_time.wrong);
+      // those that stand and differ from each other, and one period of each
       std::vector<CycleOfBasin> found;
-      // what the machine has too little memory for; the places among `cycles` of those that stand and differ from each other
+      std::vector<CyclePeriod> periods;
+      // what the machine has too little memory for
       std::string shortage;
-      std::vector<std::pair<std::size_t, CyclePeriod>> different;
       Progress progress("limit cycles", std::max<std::size_t>(1, roots.size()));
       for (std::size_t k = 0; k < roots.size(); ++k)
       {
         SoughtCycle sought = seek_cycle(search, roots[k]);
         const LimitCycle &cycle = sought.cycle;
-        const auto same = std::find_if(different.begin(), different.end(),
-                                       [&](const auto &one)
-                                       { return sought.period && one.second.is_same(*sought.period); });
-        if (same != different.end())
-          add_repeated(sought, k + 1, nlohmann::ordered_json(cycles[same->first]), own.n_multipliers, cycles);
+        const auto same = std::find_if(periods.begin(), periods.end(),
+                                       [&](const CyclePeriod &one)
+                                       { return sought.period && one.is_same(*sought.period); });
+        if (same != periods.end())
+          add_repeated(sought, k + 1, found[same - periods.begin()].number, own.n_multipliers, cycles);
         else if (sought.period)
         {
           const CycleOfBasin reached = {static_cast<unsigned int>(k + 1), sought.map->unpack(cycle.state),
                                         cycle.root, cycle.period,
                                         cycle.stability && cycle.stability->is_unstable()};
-          const std::size_t place = cycles.size();
           if (add_cycle(search, sought, k + 1, cycles))
           {
             found.push_back(reached);
-            different.emplace_back(place, *sought.period);
+            periods.push_back(*sought.period);
           }
         }
         else

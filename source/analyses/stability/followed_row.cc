@@ -2,6 +2,7 @@
 #include <vibrocontact/analyses/stability/root_paths.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/coupled_bodies/all_roots.h>
 #include <vibrocontact/coupled_bodies/followed_root.h>
 
 #include <deal.II/base/numbers.h>

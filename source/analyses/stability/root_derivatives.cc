@@ -6,6 +6,7 @@
 #include <vibrocontact/base/failure.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/table.h>
+#include <vibrocontact/coupled_bodies/all_roots.h>
 #include <vibrocontact/coupled_bodies/followed_root.h>
 
 #include <deal.II/base/numbers.h>

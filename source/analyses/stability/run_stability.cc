@@ -1,4 +1,3 @@
-#include <vibrocontact/analyses/stability/pair_in_time.h>
 #include <vibrocontact/analyses/stability/root_derivatives.h>
 #include <vibrocontact/analyses/stability/run_stability.h>
 #include <vibrocontact/analyses/stability/sparse_roots.h>
@@ -10,6 +9,7 @@
 #include <vibrocontact/output/verdict.h>
 #include <vibrocontact/reduction/attachment_inertia.h>
 #include <vibrocontact/run/entries_of_contact.h>
+#include <vibrocontact/run/pair_in_time.h>
 #include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/say_residual_damping.h>
 
@@ -155,8 +155,7 @@ namespace vibrocontact
       add_rolling_cases(entries, parameters);
       add_hub(entries, parameters);
       const std::string section = "Stability";
-      const bool paper = !parameters.stability.is_consistent(),
-                 rolls = parameters.rolling.creepage.speed > 0,
+      const bool paper = !parameters.stability.is_consistent(), rolls = parameters.rolling.creepage.speed > 0,
                  plane = std::any_of(parameters.scene.bodies.begin(), parameters.scene.bodies.end(),
                                      [](const BodyParameters &body) { return body.description->is_plane(); });
       const std::string by_paper = "Stability/Linearisation is paper", rolling = "Rolling/Speed is above 0",

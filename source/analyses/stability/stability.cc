@@ -1,11 +1,8 @@
 #include <vibrocontact/analyses/stability/stability.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/wall_clock.h>
-#include <vibrocontact/coupled_bodies/exact_roots.h>
-#include <vibrocontact/coupled_bodies/inertial_contact.h>
+#include <vibrocontact/coupled_bodies/all_roots.h>
 #include <vibrocontact/coupled_bodies/suspended_pair.h>
-
-#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 
@@ -118,20 +115,11 @@ namespace vibrocontact
     return options;
   }
 
-  namespace
-  {
-    /// An undamped root that stays where it is has a growth of round-off.
-    bool grows(const StabilityRoot &root)
-    {
-      return root.growth > least_divergence_rate * 2 * dealii::numbers::PI * root.frequency;
-    }
-  } // namespace
-
   std::vector<const StabilityRoot *> StabilityResult::unstable() const
   {
     std::vector<const StabilityRoot *> result;
     for (const StabilityRoot &root : roots)
-      if (grows(root))
+      if (root.grows())
         result.push_back(&root);
     return result;
   }
@@ -145,7 +133,8 @@ namespace vibrocontact
       throw ConvergenceError("All " + std::to_string(roots.size()) +
                              " roots are above Stability/Upper frequency: raise it.");
     n_above = roots.end() - above;
-    n_growing_above = std::count_if(above, roots.end(), grows);
+    n_growing_above =
+        std::count_if(above, roots.end(), [](const StabilityRoot &root) { return root.grows(); });
     roots.erase(above, roots.end());
   }
 
@@ -154,39 +143,6 @@ namespace vibrocontact
     return *std::max_element(roots.begin(), roots.end(),
                              [](const StabilityRoot &a, const StabilityRoot &b)
                              { return a.divergence_rate < b.divergence_rate; });
-  }
-
-  // Closed points that nothing yields move with the modes, whose mass is theirs.
-  std::vector<StabilityRoot> all_roots(const ContactPair &pair, const CreepScheme &scheme,
-                                       const RollingEquilibrium &about, const LinearisationOptions &options,
-                                       const HystereticLoss *const loss)
-  {
-    const DenseMatrix W = compliance_of_contact(pair, about);
-    unsigned int n_closed = 0, n_rigid = 0;
-    for (unsigned int i = 0; i < pair.n_points(); ++i)
-    {
-      n_closed += about.contact.R[i] > 0;
-      n_rigid += about.contact.R[i] > 0 && W(i, i) == 0;
-    }
-    if (n_rigid == 0 && loss)
-    {
-      std::vector<StabilityRoot> roots = hysteretic_roots(pair, *loss, scheme, about, options);
-      if (!loss->exact.empty())
-        make_exact(roots, pair, scheme, about, *loss);
-      return roots;
-    }
-    if (n_rigid == 0)
-      return stability_roots(pair, linearised_contact(pair, scheme, about, options));
-    if (loss)
-      throw InputError("A closed contact point has mass and nothing that yields, which Stability/Loss "
-                       "hysteretic does not take: set it to viscous, or give Contact/Normal law one that "
-                       "yields.");
-    if (pair.hub || n_rigid < n_closed || pair.n_poles() > 0)
-      throw InputError(
-          "A closed contact point has mass and nothing that yields, which Stability takes with a "
-          "held hub, without poles and if all closed points are so: set Rolling/Hub to held, or "
-          "give Contact/Normal law one that yields.");
-    return inertial_roots(inertial_pair(pair), scheme, about, options);
   }
 
   std::shared_ptr<const ContactOperator>

@@ -1,8 +1,8 @@
-#include <vibrocontact/analyses/transient/check_transient.h>
 #include <vibrocontact/analyses/transient/make_mode_recorder.h>
-#include <vibrocontact/analyses/transient/transient.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/marching/initial_state.h>
+#include <vibrocontact/run/check_transient.h>
 
 #include <algorithm>
 

@@ -2,10 +2,9 @@
 
 #include <vibrocontact/analyses/limit_cycle/cycle_family.h>
 #include <vibrocontact/analyses/limit_cycle/limit_cycle.h>
-#include <vibrocontact/numerics/newton_method.h>
+#include <vibrocontact/analyses/limit_cycle/period_equations.h>
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace vibrocontact
@@ -26,7 +25,7 @@ namespace vibrocontact
 
   /// The equations of follow_cycle(): unknown are the state less the equilibrium, the period and the value. BorderedCycle with both as
   /// the further unknowns.
-  class BranchEquations : public NewtonEquations
+  class BranchEquations : public PeriodEquations
   {
   public:
     /// @param family is referred to @param start a cycle at `value` @param value_size range of the values
@@ -36,35 +35,28 @@ namespace vibrocontact
     /// The last condition: steps are normal to the direction, which is in the sizes.
     void go_along(const BranchPlace &direction, const PlaceSizes &in);
 
-    double evaluate(const std::vector<double> &z) override;
-    bool keep(const std::vector<double> &z, double size) override;
-    bool find_step(bool renew, std::vector<double> &step) override;
-
     /// Of the place that was evaluated last: its state, and the size of its motion [sqrt(J)].
     const DenseVector &state() const { return start; }
     double motion() const { return from_rest.l2_norm(); }
     CycleAt &last() { return *at; }
 
-    /// why the last march or linear system failed; empty: it did not
-    std::string failure;
-
   private:
+    CycleMap &take(const std::vector<double> &z) override;
+    DenseVector step() override;
     /// To that of the value that was evaluated last.
     void renew_preconditioner();
     /// Derivative of Phi - x by the value, x at its distance from the equilibrium, by a difference.
     DenseVector difference_by_value() const;
 
     const CycleFamily &family;
-    const double tolerance, value_size;
+    const double value_size;
     std::shared_ptr<CycleAt> at;
     double value;
     const unsigned int n;
     std::unique_ptr<const DenseMatrix> linear;
     BranchPlace tangent;
     PlaceSizes sizes = {};
-    DenseVector from_rest, start, rest;
     /// that of the first place of a direction, kept while Newton's method goes on there; empty: none yet
     DenseVector by_value;
-    double period = 0;
   };
 } // namespace vibrocontact

@@ -2,9 +2,9 @@
 
 #include <vibrocontact/analyses/limit_cycle/balance_preconditioner.h>
 #include <vibrocontact/analyses/limit_cycle/harmonic_response.h>
-#include <vibrocontact/analyses/transient/contact_stepper.h>
 #include <vibrocontact/contact/friction_of_speed.h>
 #include <vibrocontact/contact/newton_jacobian.h>
+#include <vibrocontact/marching/contact_stepper.h>
 #include <vibrocontact/numerics/newton_method.h>
 
 #include <memory>

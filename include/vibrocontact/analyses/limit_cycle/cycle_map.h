@@ -2,7 +2,7 @@
 
 #include <vibrocontact/analyses/limit_cycle/cycle_balance.h>
 #include <vibrocontact/analyses/limit_cycle/cycle_coordinates.h>
-#include <vibrocontact/analyses/transient/transient_parameters.h>
+#include <vibrocontact/marching/transient_parameters.h>
 
 #include <functional>
 #include <limits>

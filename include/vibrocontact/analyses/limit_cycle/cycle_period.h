@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/limit_cycle/limit_cycle.h>
-#include <vibrocontact/analyses/transient/probes.h>
+#include <vibrocontact/marching/probes.h>
 
 #include <string>
 #include <vector>

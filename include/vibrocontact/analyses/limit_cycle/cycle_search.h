@@ -2,8 +2,8 @@
 
 #include <vibrocontact/analyses/limit_cycle/cycle_period.h>
 #include <vibrocontact/analyses/limit_cycle/cycle_scene.h>
-#include <vibrocontact/analyses/stability/pair_in_time.h>
 #include <vibrocontact/run/analysis.h>
+#include <vibrocontact/run/pair_in_time.h>
 
 #include <memory>
 #include <optional>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient/contact_stepper.h>
 #include <vibrocontact/contact/friction_of_speed.h>
 #include <vibrocontact/contact/newton_jacobian.h>
+#include <vibrocontact/marching/contact_stepper.h>
 
 #include <complex>
 #include <vector>

@@ -12,9 +12,6 @@
 
 namespace vibrocontact
 {
-  /// A root with a smaller divergence rate is not called unstable: round-off of an undamped root.
-  constexpr double least_divergence_rate = 1e-9;
-
   /// `subsection Stability`
   struct StabilityParameters
   {
@@ -78,7 +75,7 @@ namespace vibrocontact
 
     std::optional<RootCount> second_count;
 
-    /// growth > least_divergence_rate times 2 pi frequency
+    /// those that grow
     std::vector<const StabilityRoot *> unstable() const;
     /// Moves the roots above a frequency [Hz] from `roots` to the counts.
     /// @throws ConvergenceError if none is left
@@ -108,11 +105,6 @@ namespace vibrocontact
                             const std::function<void(StabilityResult &&, const RollingEquilibrium &)> &found);
   std::shared_ptr<const ContactOperator> operator_of_stability(const ContactPair &pair,
                                                                const ContactSections &contact, double speed);
-
-  /// All roots of the reduced pair about an equilibrium; none is missing.
-  std::vector<StabilityRoot> all_roots(const ContactPair &pair, const CreepScheme &scheme,
-                                       const RollingEquilibrium &about, const LinearisationOptions &options,
-                                       const HystereticLoss *loss);
 
   /// The roots of another model about an equilibrium.
   using RootFinder = std::function<std::vector<StabilityRoot>(const RollingEquilibrium &)>;

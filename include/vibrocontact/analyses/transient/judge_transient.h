@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient/transient_result.h>
+#include <vibrocontact/marching/transient_result.h>
 #include <vibrocontact/output/results.h>
 
 namespace vibrocontact

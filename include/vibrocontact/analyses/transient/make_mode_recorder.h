@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/transient/mode_recorder.h>
-#include <vibrocontact/analyses/transient/transient_hub.h>
+#include <vibrocontact/marching/hub_motion.h>
 #include <vibrocontact/run/parameters.h>
 
 #include <memory>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient/contact_stepper.h>
 #include <vibrocontact/coupled_bodies/sliding_frame.h>
 #include <vibrocontact/coupled_bodies/stability_roots.h>
+#include <vibrocontact/marching/contact_stepper.h>
 
 #include <complex>
 #include <string>

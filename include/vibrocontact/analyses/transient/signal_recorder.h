@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient/probes.h>
 #include <vibrocontact/analyses/transient/state_recorder.h>
 #include <vibrocontact/base/row_file.h>
+#include <vibrocontact/marching/probes.h>
 #include <vibrocontact/marching/signal_output.h>
 
 #include <string>

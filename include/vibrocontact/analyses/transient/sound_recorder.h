@@ -1,7 +1,7 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient/probes.h>
 #include <vibrocontact/analyses/transient/state_recorder.h>
+#include <vibrocontact/marching/probes.h>
 #include <vibrocontact/marching/sound_stream.h>
 
 #include <nlohmann/json.hpp>

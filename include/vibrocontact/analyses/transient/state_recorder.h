@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient/contact_stepper.h>
+#include <vibrocontact/marching/contact_stepper.h>
 #include <vibrocontact/marching/recorder.h>
 
 namespace vibrocontact

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <vibrocontact/analyses/transient/probes.h>
 #include <vibrocontact/analyses/transient/state_recorder.h>
-#include <vibrocontact/analyses/transient/transient_result.h>
 #include <vibrocontact/base/row_file.h>
+#include <vibrocontact/marching/probes.h>
+#include <vibrocontact/marching/transient_result.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
 #pragma once
 
-// what the test of include_circles.py has to find: first.cc includes this header
+// what the test of includes.py has to find: first.cc includes this header
 #include <vibrocontact/base/first.h>

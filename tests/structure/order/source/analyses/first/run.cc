@@ -1,0 +1,1 @@
+#include <vibrocontact/analyses/second/steps.h>

@@ -1,0 +1,1 @@
+#include <vibrocontact/scene/body.h>
