@@ -1,6 +1,6 @@
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/bodies/body_in_contact.h>
-#include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/bodies/passive_fit.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/numerics/least_squares.h>
 #include <vibrocontact/numerics/nonnegative.h>
 #include <vibrocontact/numerics/null_space.h>

@@ -1,5 +1,5 @@
 #include <vibrocontact/bodies/passivity_test.h>
-#include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 
 #include <algorithm>
 #include <cmath>

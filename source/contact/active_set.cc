@@ -2,7 +2,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/active_set.h>
 #include <vibrocontact/contact/laws/signorini.h>
-#include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/numerics/wide_loops.h>
 
 #include <algorithm>

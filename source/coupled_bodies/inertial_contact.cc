@@ -2,6 +2,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/coupled_bodies/inertial_contact.h>
 #include <vibrocontact/coupled_bodies/sliding_frame.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/numerics/null_space.h>
 #include <vibrocontact/reduction/attachment_inertia.h>
 

@@ -1,6 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/coupled_bodies/stability_roots.h>
 #include <vibrocontact/numerics/complex_eigenvectors.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/lac/lapack_templates.h>
@@ -15,34 +16,6 @@ namespace vibrocontact
   bool StabilityRoot::grows() const
   {
     return growth > least_divergence_rate * 2 * dealii::numbers::PI * frequency;
-  }
-
-  Eigenvalues eigenvalues(DenseMatrix matrix, const bool with_left_vectors)
-  {
-    const dealii::types::blas_int size = matrix.m();
-    Eigenvalues result;
-    result.vectors.reinit(size);
-    result.left.reinit(with_left_vectors ? size : 1);
-    std::vector<double> real(size), imaginary(size), work(1);
-    dealii::types::blas_int info = 0, n_work = -1;
-    const dealii::types::blas_int n_left = result.left.m();
-    for (unsigned int pass = 0; pass < 2; ++pass)
-    {
-      dealii::geev(with_left_vectors ? "V" : "N", "V", &size, &matrix(0, 0), &size, real.data(),
-                   imaginary.data(), &result.left(0, 0), &n_left, &result.vectors(0, 0), &size, work.data(),
-                   &n_work, &info);
-      if (pass == 0)
-      {
-        n_work = static_cast<dealii::types::blas_int>(work[0]);
-        work.resize(n_work);
-      }
-    }
-    if (info != 0)
-      throw ConvergenceError(
-          "LAPACK found no eigenvalues of the linearised contact (dgeev: " + std::to_string(info) + ").");
-    for (int k = 0; k < size; ++k)
-      result.values.emplace_back(real[k], imaginary[k]);
-    return result;
   }
 
   namespace

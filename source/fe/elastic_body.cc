@@ -1,5 +1,5 @@
 #include <vibrocontact/fe/elastic_body.h>
-#include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/scene/cell_elements.h>
 
 #include <deal.II/dofs/dof_tools.h>

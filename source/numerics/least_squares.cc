@@ -1,11 +1,10 @@
-#include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/numerics/lapack_work.h>
 #include <vibrocontact/numerics/least_squares.h>
 
 #include <deal.II/lac/lapack_templates.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 extern "C" void dgglse_(const int *, const int *, const int *, double *, const int *, double *, const int *,
@@ -15,20 +14,6 @@ namespace vibrocontact
 {
   namespace
   {
-    /// Asks a LAPACK function for the work it needs, then runs it.
-    void with_work(const char *name,
-                   const std::function<void(double *work, const int &n_work, int &info)> &call)
-    {
-      int info = 0, n_work = -1;
-      double wanted = 0;
-      call(&wanted, n_work, info);
-      n_work = static_cast<int>(wanted);
-      std::vector<double> work(std::max(1, n_work));
-      call(work.data(), n_work, info);
-      if (info != 0)
-        throw ConvergenceError(std::string("LAPACK's ") + name + " failed: " + std::to_string(info) + ".");
-    }
-
     /// Scales the columns to length one. @return by what x has to be multiplied then
     std::vector<double> scale_columns(DenseMatrix &A)
     {
@@ -133,43 +118,5 @@ namespace vibrocontact
       for (int i = 0; i < std::min(j + 1, m); ++i)
         R(i, j) = A(i, j);
     return R;
-  }
-
-  std::vector<std::complex<double>> general_eigenvalues(DenseMatrix A)
-  {
-    const int n = A.n(), one = 1;
-    std::vector<double> real(n), imaginary(n);
-    double none = 0;
-    with_work("dgeev",
-              [&](double *work, const int &n_work, int &info)
-              {
-                dealii::geev("N", "N", &n, &A(0, 0), &n, real.data(), imaginary.data(), &none, &one, &none,
-                             &one, work, &n_work, &info);
-              });
-    std::vector<std::complex<double>> result(n);
-    for (int k = 0; k < n; ++k)
-      result[k] = {real[k], imaginary[k]};
-    return result;
-  }
-
-  std::vector<double> symmetric_eigenvalues(const DenseMatrix &A, DenseMatrix &vectors)
-  {
-    const int n = A.n();
-    vectors.reinit(n, n);
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j)
-        vectors(i, j) = (A(i, j) + A(j, i)) / 2;
-    std::vector<double> values(n);
-    with_work("dsyev", [&](double *work, const int &n_work, int &info)
-              { dealii::syev("V", "U", &n, &vectors(0, 0), &n, values.data(), work, &n_work, &info); });
-    return values;
-  }
-
-  double definiteness(const DenseMatrix &A)
-  {
-    DenseMatrix vectors;
-    const std::vector<double> values = symmetric_eigenvalues(A, vectors);
-    return values.front() /
-           std::max({std::abs(values.front()), std::abs(values.back()), std::numeric_limits<double>::min()});
   }
 } // namespace vibrocontact

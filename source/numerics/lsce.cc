@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/numerics/least_squares.h>
 #include <vibrocontact/numerics/lsce.h>
 
@@ -46,6 +47,11 @@ namespace vibrocontact
     }
     fftw_destroy_plan(plan);
     return result;
+  }
+
+  unsigned int most_lsce_pairs(const Spectra &data)
+  {
+    return (data.omega.size() - 1) / 4;
   }
 
   std::vector<Complex> lsce_poles(const ImpulseResponses &responses, const unsigned int n_pairs)

@@ -1,3 +1,4 @@
+#include <vibrocontact/numerics/lapack_work.h>
 #include <vibrocontact/numerics/null_space.h>
 
 #include <deal.II/lac/lapack_templates.h>
@@ -18,14 +19,9 @@ namespace vibrocontact
       Q(i, i) = 1;
     if (n > 0)
     {
-      std::vector<double> tau(n), work(1);
-      dealii::types::blas_int info = 0, n_work = -1;
-      for (unsigned int pass = 0; pass < 2; ++pass)
-      {
-        dealii::geqrf(&rows, &n, &columns(0, 0), &rows, tau.data(), work.data(), &n_work, &info);
-        n_work = pass == 0 ? static_cast<dealii::types::blas_int>(work[0]) : n_work;
-        work.resize(n_work);
-      }
+      std::vector<double> tau(n);
+      with_work("dgeqrf", [&](double *work, const int &n_work, int &info)
+                { dealii::geqrf(&rows, &n, &columns(0, 0), &rows, tau.data(), work, &n_work, &info); });
       double largest = 0, smallest = std::abs(columns(0, 0));
       for (int k = 0; k < n; ++k)
       {
@@ -34,15 +30,12 @@ namespace vibrocontact
       }
       if (!(smallest > 1e-10 * largest))
         return {};
-      n_work = -1;
-      for (unsigned int pass = 0; pass < 2; ++pass)
-      {
-        dealii::ormqr("L", "N", &rows, &rows, &n, &columns(0, 0), &rows, tau.data(), &Q(0, 0), &rows,
-                      work.data(), &n_work, &info);
-        n_work = pass == 0 ? static_cast<dealii::types::blas_int>(work[0]) : n_work;
-        work.resize(n_work);
-      }
-      AssertThrow(info == 0, dealii::ExcInternalError());
+      with_work("dormqr",
+                [&](double *work, const int &n_work, int &info)
+                {
+                  dealii::ormqr("L", "N", &rows, &rows, &n, &columns(0, 0), &rows, tau.data(), &Q(0, 0),
+                                &rows, work, &n_work, &info);
+                });
     }
     DenseMatrix basis(rows, rows - n);
     for (int j = n; j < rows; ++j)

@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/numerics/least_squares.h>
 #include <vibrocontact/numerics/refinable_function.h>
 

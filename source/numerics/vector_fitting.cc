@@ -1,3 +1,4 @@
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/numerics/least_squares.h>
 #include <vibrocontact/numerics/vector_fitting.h>
 

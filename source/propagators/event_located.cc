@@ -1,5 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/numerics/polynomial.h>
 #include <vibrocontact/numerics/wide_loops.h>
 #include <vibrocontact/numerics/zero_crossing.h>

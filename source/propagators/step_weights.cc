@@ -1,5 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/numerics/phi_functions.h>
 #include <vibrocontact/propagators/step_weights.h>
 

@@ -1,6 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
-#include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/propagators/step_weights.h>
 #include <vibrocontact/propagators/well_posedness.h>
 

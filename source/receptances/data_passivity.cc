@@ -1,5 +1,5 @@
 #include <vibrocontact/base/number_text.h>
-#include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/receptances/data_passivity.h>
 
 #include <algorithm>

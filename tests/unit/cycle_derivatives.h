@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vibrocontact/analyses/limit_cycle/limit_cycle.h>
-#include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 
 #include <gtest/gtest.h>
 

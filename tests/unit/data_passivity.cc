@@ -7,7 +7,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/bodies/passive_fit.h>
 #include <vibrocontact/bodies/ring_poles.h>
-#include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/numerics/nonnegative.h>
 #include <vibrocontact/numerics/vector_fitting.h>
 #include <vibrocontact/receptances/data_passivity.h>

@@ -5,7 +5,7 @@
 
 #include <vibrocontact/analyses/identification/identification.h>
 #include <vibrocontact/base/exceptions.h>
-#include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/numerics/lsce.h>
 #include <vibrocontact/numerics/vector_fitting.h>
 #include <vibrocontact/propagators/step_weights.h>

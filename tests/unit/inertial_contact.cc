@@ -12,6 +12,7 @@
 #include <vibrocontact/marching/drive.h>
 #include <vibrocontact/marching/initial_state.h>
 #include <vibrocontact/marching/transient_march.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/reduction/attachment_inertia.h>
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include <vibrocontact/bodies/passivity_test.h>
 #include <vibrocontact/bodies/receptance_fit.h>
-#include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 
 #include <deal.II/base/numbers.h>
 

@@ -41,25 +41,6 @@ namespace vibrocontact
     }
   };
 
-  /// Eigenvalues of a real matrix, and right eigenvectors (x, A x = lambda x) as dgeev lays them out (conjugate
-  /// pairs in two columns); left ones (y, y^H A = lambda y^H) if they are asked for.
-  /// @throws ConvergenceError if LAPACK finds none
-  struct Eigenvalues
-  {
-    std::vector<std::complex<double>> values;
-    DenseMatrix vectors, left;
-    /// of eigenvalue k with a positive (or no) imaginary part
-    std::complex<double> component(const unsigned int i, const unsigned int k) const
-    {
-      return {vectors(i, k), values[k].imag() > 0 ? vectors(i, k + 1) : 0.};
-    }
-    std::complex<double> left_component(const unsigned int i, const unsigned int k) const
-    {
-      return {left(i, k), values[k].imag() > 0 ? left(i, k + 1) : 0.};
-    }
-  };
-  Eigenvalues eigenvalues(DenseMatrix matrix, bool with_left_vectors = false);
-
   /// A root of given modal amplitudes: its name is that of the free mode with the largest share of
   /// sum (w^2 + |lambda|^2) |q|^2.
   StabilityRoot named_root(const std::complex<double> &lambda, std::vector<std::complex<double>> amplitudes,

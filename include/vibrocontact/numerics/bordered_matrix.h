@@ -1,8 +1,7 @@
 #pragma once
 
 #include <vibrocontact/base/dense.h>
-
-#include <deal.II/base/types.h>
+#include <vibrocontact/numerics/lu_factors.h>
 
 #include <vector>
 
@@ -17,13 +16,11 @@ namespace vibrocontact
     bool factorise(const DenseMatrix &J, double a, const std::vector<double> &p, double b,
                    const std::vector<double> &row);
     /// Sign of the determinant.
-    int sign() const;
+    int sign() const { return factors.sign(); }
     /// @param rhs n + 1 values, then the solution
-    void solve(std::vector<double> &rhs) const;
+    void solve(std::vector<double> &rhs) const { factors.solve(rhs); }
 
   private:
-    dealii::types::blas_int size = 0;
-    std::vector<double> matrix;
-    std::vector<dealii::types::blas_int> pivots;
+    LuFactors<double> factors;
   };
 } // namespace vibrocontact

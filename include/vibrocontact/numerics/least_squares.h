@@ -2,9 +2,6 @@
 
 #include <vibrocontact/base/dense.h>
 
-#include <complex>
-#include <vector>
-
 namespace vibrocontact
 {
   /// min |A x - b| for every column b of B, by the singular values of A with its columns scaled to length one
@@ -18,13 +15,4 @@ namespace vibrocontact
 
   /// R of A = Q R (dgeqrf), upper triangular, as many rows as A has columns; where A has fewer, the last are zero.
   DenseMatrix triangular_factor(DenseMatrix A);
-
-  /// Eigenvalues of a real matrix (dgeev). @throws ConvergenceError
-  std::vector<std::complex<double>> general_eigenvalues(DenseMatrix A);
-
-  /// Eigenvalues of the symmetric part of a matrix, ascending (dsyev), with its vectors in the columns of `vectors`.
-  std::vector<double> symmetric_eigenvalues(const DenseMatrix &A, DenseMatrix &vectors);
-
-  /// Smallest eigenvalue of the symmetric part of a matrix over the largest modulus: <= 0 if x^T A x > 0 fails.
-  double definiteness(const DenseMatrix &A);
 } // namespace vibrocontact

@@ -32,7 +32,11 @@ namespace vibrocontact
   /// solved by least squares over the first half of the record (the second carries what the cut at the end of the
   /// band folds back before t = 0); the roots of the polynomial are e^{lambda_k step}. Unstable roots and
   /// those on the negative real axis, which belong to no pole, are dropped, so that fewer than n_pairs may come out.
+  /// @throws InputError for more pairs than most_lsce_pairs()
   std::vector<std::complex<double>> lsce_poles(const ImpulseResponses &responses, unsigned int n_pairs);
+
+  /// Pairs for which the first half of the record gives each entry as many equations as there are unknowns.
+  unsigned int most_lsce_pairs(const Spectra &data);
 
   /// LSCE poles, then residues by least squares on the frequency response.
   PoleFit lsce_fit(const Spectra &data, unsigned int n_pairs, const ResidueRules &rules = {});

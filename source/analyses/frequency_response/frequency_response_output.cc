@@ -156,56 +156,12 @@ namespace vibrocontact
     return result;
   }
 
-  Json extrema_json(const FrequencyResponseParameters &parameters, const ResponseVariant &variant)
+  void for_each_driving_point(const FrequencyResponseParameters &parameters,
+                              const std::function<void(const std::string &, unsigned int)> &action)
   {
-    Json result = {{"maxima", Json::array()}, {"minima", Json::array()}};
-    const double share = std::log(1.2);
-    for_each_pair(
-        parameters, variant,
-        [&](const std::string &response, const std::string &force, const unsigned int index)
-        {
-          if (response != force)
-            return;
-          std::vector<double> x, y;
-          for (unsigned int k = 0; k < variant.frequency.size(); ++k)
-          {
-            x.push_back(std::log(variant.frequency[k]));
-            y.push_back(
-                std::log(std::abs(parameters.shown(variant.response[k][index], variant.frequency[k]))));
-          }
-          // the best so far on the way up or down is an extremum once the curve has turned by `share`
-          unsigned int high = 0, low = 0;
-          bool up = true;
-          const auto report = [&](const unsigned int k, const char *kind)
-          {
-            if (k == 0)
-              return;
-            const double slope_1 = (y[k] - y[k - 1]) / (x[k] - x[k - 1]),
-                         slope_2 = (y[k + 1] - y[k]) / (x[k + 1] - x[k]), middle_1 = (x[k] + x[k - 1]) / 2,
-                         middle_2 = (x[k + 1] + x[k]) / 2;
-            const double top = middle_1 + (middle_2 - middle_1) * slope_1 / (slope_1 - slope_2);
-            result[kind].push_back(
-                {{"point", response}, {"frequency_Hz", std::exp(top)}, {"magnitude", std::exp(y[k])}});
-          };
-          for (unsigned int k = 0; k < y.size(); ++k)
-          {
-            high = y[k] > y[high] ? k : high;
-            low = y[k] < y[low] ? k : low;
-            if (up && y[k] < y[high] - share)
-            {
-              report(high, "maxima");
-              up = false;
-              low = k;
-            }
-            else if (!up && y[k] > y[low] + share)
-            {
-              report(low, "minima");
-              up = true;
-              high = k;
-            }
-          }
-        });
-    return result;
+    const std::vector<ResponsePoint> points = parameters.parsed_points();
+    for (unsigned int i = 0; i < points.size(); ++i)
+      action(label(points[i]), i * (points.size() + 1));
   }
 
   std::vector<std::string> frequency_response_answer(const nlohmann::ordered_json &response)

@@ -1,9 +1,11 @@
 #include <vibrocontact/analyses/frequency_response/modal_response.h>
+#include <vibrocontact/base/complex_dense.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/numerics/complex_eigenvectors.h>
+#include <vibrocontact/numerics/lu_factors.h>
 
 #include <deal.II/base/numbers.h>
-#include <deal.II/lac/lapack_templates.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,18 +46,14 @@ namespace vibrocontact
     }
   } // namespace
 
-  void solve_by_columns(std::vector<Complex> A, std::vector<Complex> &B, const int size, const int columns)
+  void solve_by_columns(std::vector<Complex> A, std::vector<Complex> &B)
   {
-    const dealii::types::blas_int n = size, n_columns = columns;
-    std::vector<dealii::types::blas_int> pivots(n);
-    dealii::types::blas_int info = 0;
-    if (n > 0)
-      dealii::getrf(&n, &n, A.data(), &n, pivots.data(), &info);
-    if (info != 0)
+    LuFactors<Complex> factors;
+    if (!factors.factorise(std::move(A)))
       throw ConvergenceError(
-          "Frequency response: complex equations have no solution (zgetrf: " + std::to_string(info) + ").");
-    if (n > 0)
-      dealii::getrs("N", &n, &n_columns, A.data(), &n, pivots.data(), B.data(), &n, &info);
+          "Frequency response: the equations at a frequency are singular: leave it out, or "
+          "give the bodies damping.");
+    factors.solve(B);
   }
 
   void check_reach_of_modes(const double highest, const std::string &body, const double upper_frequency,
@@ -101,7 +99,7 @@ namespace vibrocontact
           for (unsigned int i = 0; i < n; ++i)
             A[std::size_t(j) * n + i] = entry(kept[i], kept[j], f);
         q = forces;
-        solve_by_columns(A, q, n, m);
+        solve_by_columns(A, q);
         Receptance H = residual;
         for (unsigned int i = 0; i < m; ++i)
           for (unsigned int j = 0; j < m; ++j)
@@ -136,43 +134,28 @@ namespace vibrocontact
     for (unsigned int k = body.damping_ratio.size(); k < body.omega.size(); ++k)
       kept.push_back(k);
     const unsigned int m = body.trace.m();
-    const dealii::types::blas_int n = kept.size();
+    const unsigned int n = kept.size();
     if (n == 0)
       return std::vector<Receptance>(frequency.size(), real_residual(body, kept));
 
     if (body.damping.m() > 0 || rotation != 0)
       return response_with_rates(body, kept, frequency, rotation);
 
-    // by columns: diag(w^2) + i D, its eigenvectors X, X^-1 P^T
-    std::vector<Complex> A(std::size_t(n) * n), mu(n), X(A.size()), weights(std::size_t(n) * m), work(1);
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i)
-        A[std::size_t(j) * n + i] =
+    // diag(w^2) + i D = X diag(mu) X^-1; P X and X^-1 P^T
+    ComplexMatrix A(n, n);
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        A(i, j) =
             Complex(i == j ? body.omega[kept[i]] * body.omega[kept[i]] : 0., body.loss(kept[i], kept[j]));
-    for (unsigned int j = 0; j < m; ++j)
-      for (int i = 0; i < n; ++i)
-        weights[std::size_t(j) * n + i] = body.trace(j, kept[i]);
-    std::vector<double> real_work(2 * n);
-    dealii::types::blas_int info = 0, one = 1, size = -1;
-    Complex *const none = nullptr;
-    for (unsigned int pass = 0; pass < 2; ++pass)
-    {
-      dealii::geev("N", "V", &n, A.data(), &n, mu.data(), none, &one, X.data(), &n, work.data(), &size,
-                   real_work.data(), &info);
-      size = static_cast<dealii::types::blas_int>(work[0].real());
-      work.resize(size);
-    }
-    if (info != 0)
-      throw ConvergenceError("LAPACK found no eigenvalues of the complex modal stiffness (zgeev: " +
-                             std::to_string(info) + ").");
-    solve_by_columns(X, weights, n, m);
-
-    // P X, by rows
-    std::vector<Complex> shapes(std::size_t(m) * n);
+    const ComplexEigenvectors basis = complex_eigenvectors(A, "eigenvalues of the complex modal stiffness");
+    std::vector<Complex> shapes(std::size_t(m) * n), weights(shapes.size());
     for (unsigned int i = 0; i < m; ++i)
-      for (int k = 0; k < n; ++k)
-        for (int l = 0; l < n; ++l)
-          shapes[std::size_t(i) * n + k] += body.trace(i, kept[l]) * X[std::size_t(k) * n + l];
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int l = 0; l < n; ++l)
+        {
+          shapes[std::size_t(i) * n + k] += body.trace(i, kept[l]) * Complex(basis.right(l, k));
+          weights[std::size_t(i) * n + k] += Complex(basis.left(k, l)) * body.trace(i, kept[l]);
+        }
     const Receptance residual = real_residual(body, kept);
     std::vector<Receptance> result;
     for (const double f : frequency)
@@ -181,9 +164,9 @@ namespace vibrocontact
       Receptance H = residual;
       for (unsigned int i = 0; i < m; ++i)
         for (unsigned int j = 0; j < m; ++j)
-          for (int k = 0; k < n; ++k)
+          for (unsigned int k = 0; k < n; ++k)
             H[i * m + j] +=
-                shapes[std::size_t(i) * n + k] * weights[std::size_t(j) * n + k] / (mu[k] - square);
+                shapes[std::size_t(i) * n + k] * weights[std::size_t(j) * n + k] / (basis.values[k] - square);
       result.push_back(H);
     }
     return result;

@@ -1,4 +1,5 @@
 #include <vibrocontact/analyses/frequency_response/body_response.h>
+#include <vibrocontact/analyses/frequency_response/response_extrema.h>
 #include <vibrocontact/analyses/frequency_response/run_frequency_response.h>
 #include <vibrocontact/analyses/frequency_response/run_green_functions.h>
 #include <vibrocontact/analyses/frequency_response/track_response.h>
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <sstream>
 
 namespace vibrocontact
@@ -59,8 +61,8 @@ namespace vibrocontact
 
     /// Solved at the frequencies of the file, then at refined ones, a quarter of what is left at a time, so that each
     /// round sees where the one before has led.
-    template <typename Solve>
-    ResponseVariant refined_response(const FrequencyResponseParameters &parameters, const Solve &solve)
+    ResponseVariant refined_response(const FrequencyResponseParameters &parameters,
+                                     const ResponseSolver &solve)
     {
       ResponseVariant result = solve(parameters.frequencies());
       unsigned int left = parameters.n_refined;
@@ -71,20 +73,28 @@ namespace vibrocontact
         if (more.frequency.empty())
           break;
         left -= more.frequency.size();
-        for (std::size_t k = 0; k < more.frequency.size(); ++k)
-        {
-          const auto place =
-              std::upper_bound(result.frequency.begin(), result.frequency.end(), more.frequency[k]);
-          result.response.insert(result.response.begin() + (place - result.frequency.begin()),
-                                 more.response[k]);
-          result.frequency.insert(place, more.frequency[k]);
-        }
+        insert(more, result);
       }
       if (left > 0)
         run_log().value("refined frequencies", std::to_string(parameters.n_refined - left) + " of " +
                                                    std::to_string(parameters.n_refined) +
                                                    " make the response smooth");
       return result;
+    }
+
+    /// Into the results of a body, its table and the screen.
+    void add_extrema(const FrequencyResponseParameters &parameters, const ResponseVariant &variant,
+                     const std::string &body, nlohmann::ordered_json &result,
+                     const std::function<std::string(const Table &)> &write)
+    {
+      nlohmann::ordered_json extrema = {{"maxima", nlohmann::ordered_json::array()},
+                                        {"minima", nlohmann::ordered_json::array()}};
+      for (const ResponseExtremum &one : response_extrema(parameters, variant))
+        extrema[one.is_maximum ? "maxima" : "minima"].push_back(
+            {{"point", one.point}, {"frequency_Hz", one.frequency}, {"magnitude", one.magnitude}});
+      result.update(extrema);
+      result["extrema_table"] = write(extrema_table(extrema, parameters, body));
+      print_extrema(extrema);
     }
 
     void print_checks(const nlohmann::ordered_json &checks)
@@ -121,18 +131,22 @@ namespace vibrocontact
         tables.push_back(file);
         return file;
       };
-      const ResponseVariant main = refined_response(
-          parameters, [&](const std::vector<double> &frequency)
-          { return is_modal ? response.modal("hysteretic", 0, frequency) : response.direct(frequency); });
+      const auto solve = [&](const std::vector<double> &frequency)
+      { return is_modal ? response.modal("hysteretic", 0, frequency) : response.direct(frequency); };
+      const ResponseVariant main = refined_response(parameters, solve);
       nlohmann::ordered_json result = {{"method", main.method},
                                        {"n_modes", main.n_modes},
                                        {"table", write(response_table(parameters, main, name), "")}};
       if (rotation != 0)
         result.update({{"speed_m_s", speed}, {"rotation_rad_s", rotation}});
-      const auto extrema = extrema_json(parameters, main);
-      result.update(extrema);
-      result["extrema_table"] = write(extrema_table(extrema, parameters, name), "_extrema");
-      print_extrema(extrema);
+      // by modes a frequency more costs next to nothing
+      std::vector<double> natural_frequencies;
+      if (is_modal)
+        for (const double omega : body.reduction.modal().omega)
+          natural_frequencies.push_back(omega / (2 * dealii::numbers::PI));
+      add_extrema(parameters,
+                  is_modal ? with_resolved_extrema(parameters, main, natural_frequencies, solve) : main, name,
+                  result, [&](const Table &table) { return write(table, "_extrema"); });
       const bool has_modes = body.reduction.request().modes.any();
       if (has_modes)
       {
@@ -185,11 +199,8 @@ namespace vibrocontact
           {"section_dofs", response.rail_track().n_section_dofs()},
           {"section_shapes", track.section.matrices.n_shapes()},
           {"table", write(response_table(parameters, main, body.name), "frequency_response")}};
-      const auto extrema = extrema_json(parameters, main);
-      result.update(extrema);
-      result["extrema_table"] =
-          write(extrema_table(extrema, parameters, body.name), "frequency_response", "_extrema");
-      print_extrema(extrema);
+      add_extrema(parameters, main, body.name, result,
+                  [&](const Table &table) { return write(table, "frequency_response", "_extrema"); });
       result["decay_rates_table"] = write(response.decay_rates(body.name), "decay_rates");
       result["decay_rate_bands_table"] = write(response.decay_rate_bands(body.name), "decay_rate_bands");
       if (response.is_irregular())

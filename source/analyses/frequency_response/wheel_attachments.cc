@@ -24,7 +24,7 @@ namespace vibrocontact
       for (unsigned int j = 0; j < n; ++j)
         forces[std::size_t(j) * n_a + a] = -q * H[one.row * n + j];
     }
-    solve_by_columns(A, forces, n_a, n);
+    solve_by_columns(A, forces);
     const Receptance bare = H;
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)

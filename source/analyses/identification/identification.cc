@@ -3,7 +3,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/base/wall_clock.h>
-#include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/numerics/lsce.h>
 #include <vibrocontact/numerics/vector_fitting.h>
 
@@ -35,9 +35,9 @@ namespace vibrocontact
   const std::vector<FitMethod> &fit_methods()
   {
     static const std::vector<FitMethod> rows = {
-        {"vector fitting", true, false, false, fit_by_relocation},
-        {"lsce", false, true, false, fit_by_lsce},
-        {"lsce with real amplitudes", false, true, true, fit_by_lsce}};
+        {"vector fitting", true, false, nullptr, false, fit_by_relocation},
+        {"lsce", false, true, most_lsce_pairs, false, fit_by_lsce},
+        {"lsce with real amplitudes", false, true, most_lsce_pairs, true, fit_by_lsce}};
     return rows;
   }
 
@@ -172,6 +172,12 @@ namespace vibrocontact
       return rules;
     }
 
+    /// No more than some number, and than the data determine.
+    unsigned int at_most(const unsigned int n_pairs, const FitMethod &method, const Spectra &data)
+    {
+      return method.most_pairs ? std::min(n_pairs, std::max(1u, method.most_pairs(data))) : n_pairs;
+    }
+
     /// Slopes g'(0+) of the entries with the eigenvalues of their symmetric part raised.
     std::vector<double> raised_slopes(const PoleFit &fit, const EntryMap &map)
     {
@@ -271,7 +277,8 @@ namespace vibrocontact
         continue;
       }
       Identification best;
-      for (unsigned int n_pairs = 1; n_pairs <= parameters.largest; ++n_pairs)
+      const unsigned int largest = at_most(parameters.largest, method, lines);
+      for (unsigned int n_pairs = 1; n_pairs <= largest; ++n_pairs)
       {
         const Identification one = identify_once(parameters, lines, map, method, n_pairs);
         if (best.errors.empty() || one.worst() < best.worst())
@@ -280,6 +287,7 @@ namespace vibrocontact
           break;
       }
       best.target_reached = best.worst() <= parameters.target_error;
+      best.most_tried = largest;
       keep(best);
     }
     return results;
@@ -294,6 +302,7 @@ namespace vibrocontact
     if (last == 0)
       last = *std::max_element(parameters.pairs.begin(), parameters.pairs.end());
     const FitMethod method = parameters.method_list().front();
+    last = at_most(last, method, lines);
     const ResidueRules rules = rules_of(parameters, method);
     std::vector<ChartPole> chart, before;
     for (unsigned int n_pairs = 2; n_pairs <= last; n_pairs += 2)

@@ -1,6 +1,6 @@
 #include <vibrocontact/analyses/limit_cycle/multipliers.h>
 #include <vibrocontact/base/dense_operations.h>
-#include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/contact/even_line_operator.h>
 #include <vibrocontact/contact/projected_jacobi.h>
-#include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 
 #include <algorithm>
 

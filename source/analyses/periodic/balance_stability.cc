@@ -1,6 +1,6 @@
 #include <vibrocontact/analyses/periodic/balance.h>
 
-#include <deal.II/lac/lapack_templates.h>
+#include <vibrocontact/numerics/lu_factors.h>
 
 #include <cmath>
 
@@ -16,21 +16,14 @@ namespace vibrocontact
     return [this, by_force, by_motion](const double lambda)
     {
       const double f = force.frequency;
-      const dealii::types::blas_int size = n_unknowns();
+      const unsigned int size = n_unknowns();
       DenseMatrix matrix = massless ? DenseMatrix(size, size) : *by_force;
       add_answer(massless ? massless_rates(lambda / (f * samples->n_samples())) : *by_motion,
                  condense(body, pairing, force, lambda).compliance, matrix);
-      std::vector<dealii::types::blas_int> pivots(size);
-      dealii::types::blas_int info;
-      dealii::getrf(&size, &size, &matrix(0, 0), &size, pivots.data(), &info);
-      std::pair<double, int> result = {log_of_poles(body, pairing, f, lambda), 1};
-      for (int i = 0; i < size; ++i)
-      {
-        result.first += std::log(std::abs(matrix(i, i)));
-        if ((matrix(i, i) < 0) != (pivots[i] != i + 1))
-          result.second = -result.second;
-      }
-      return result;
+      LuFactors<double> factors;
+      factors.factorise({&matrix(0, 0), &matrix(0, 0) + std::size_t(size) * size});
+      return std::pair<double, int>(log_of_poles(body, pairing, f, lambda) + factors.log_determinant().real(),
+                                    factors.sign());
     };
   }
 

@@ -2,8 +2,7 @@
 #include <vibrocontact/analyses/periodic/force_step.h>
 #include <vibrocontact/analyses/periodic/shooting.h>
 #include <vibrocontact/base/exceptions.h>
-
-#include <deal.II/lac/lapack_templates.h>
+#include <vibrocontact/numerics/lu_factors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -228,8 +227,8 @@ namespace vibrocontact
       Complex logarithm(const Complex lambda)
       {
         const unsigned int points = rows.size();
-        const dealii::types::blas_int n = points * (2 * H + 1);
-        matrix.assign(std::size_t(n) * n, 0.);
+        const unsigned int n = points * (2 * H + 1);
+        std::vector<Complex> matrix(std::size_t(n) * n);
         std::vector<Complex> receptance(points * points);
         for (int l = -H; l <= H; ++l)
         {
@@ -256,13 +255,8 @@ namespace vibrocontact
                   entry += (k == l ? 1. : 0.) - share[p][k - l + 2 * H];
               }
         }
-        pivots.resize(n);
-        dealii::types::blas_int info;
-        dealii::getrf(&n, &n, matrix.data(), &n, pivots.data(), &info);
-        Complex result = 0;
-        for (int i = 0; i < n; ++i)
-          result +=
-              std::log(pivots[i] == i + 1 ? matrix[std::size_t(i) * n + i] : -matrix[std::size_t(i) * n + i]);
+        factors.factorise(std::move(matrix));
+        Complex result = factors.log_determinant();
         const double T = 2 * M_PI / Omega;
         for (unsigned int k = 0; k < body.n_modes() && without_poles; ++k)
           if (body.omega[k] < (H + 0.5) * Omega)
@@ -303,8 +297,7 @@ namespace vibrocontact
       /// of the points that touch: their normal rows, spectra of stiffness and share
       std::vector<unsigned int> rows;
       std::vector<std::vector<Complex>> stiffness, share;
-      std::vector<Complex> matrix;
-      std::vector<dealii::types::blas_int> pivots;
+      LuFactors<Complex> factors;
     };
   } // namespace
 

@@ -1,7 +1,7 @@
 #include <vibrocontact/analyses/periodic/shooting.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/wall_clock.h>
-#include <vibrocontact/numerics/least_squares.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/numerics/newton_method.h>
 
 #include <algorithm>

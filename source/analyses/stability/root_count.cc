@@ -3,9 +3,9 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/wall_clock.h>
 #include <vibrocontact/coupled_bodies/contact_receptance.h>
+#include <vibrocontact/numerics/lu_factors.h>
 
 #include <deal.II/base/numbers.h>
-#include <deal.II/lac/lapack_templates.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ namespace vibrocontact
     /// arg det F(s) - power arg(s + a), between -pi and pi
     double argument(const ContactReceptance &F, const Complex &s)
     {
-      ComplexMatrix matrix = F.value(s);
+      const ComplexMatrix matrix = F.value(s);
       const unsigned int size = matrix.m();
       std::vector<double> largest(size, 0.);
       for (unsigned int j = 0; j < size; ++j)
@@ -38,20 +38,15 @@ namespace vibrocontact
       // points that stick without rolling do not resist at 0 Hz
       if (!std::all_of(largest.begin(), largest.end(), [](const double value) { return value > 0; }))
         refuse();
+      std::vector<Complex> scaled;
       for (unsigned int j = 0; j < size; ++j)
         for (unsigned int i = 0; i < size; ++i)
-          matrix(i, j) /= largest[i];
-      const dealii::types::blas_int order = size;
-      std::vector<dealii::types::blas_int> pivots(size);
-      dealii::types::blas_int info = 0;
-      dealii::getrf(&order, &order, &matrix(0, 0), &order, pivots.data(), &info);
-      if (info != 0)
+          scaled.push_back(matrix(i, j) / largest[i]);
+      LuFactors<Complex> factors;
+      if (!factors.factorise(std::move(scaled)))
         refuse();
-      double sum = -double(F.power()) * std::arg(s + beyond_origin);
-      for (unsigned int k = 0; k < size; ++k)
-        sum +=
-            std::arg(matrix(k, k)) + (pivots[k] != dealii::types::blas_int(k + 1) ? dealii::numbers::PI : 0.);
-      return std::remainder(sum, 2 * dealii::numbers::PI);
+      return std::remainder(factors.log_determinant().imag() - F.power() * std::arg(s + beyond_origin),
+                            2 * dealii::numbers::PI);
     }
 
     /// A coarse net over everything [rad/s]

@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/transient/mode_projection.h>
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/coupled_bodies/pair_motion.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,10 +45,9 @@ namespace vibrocontact
   nlohmann::ordered_json difference_json(const FrequencyResponseParameters &parameters,
                                          const ResponseVariant &exact, const ResponseVariant &other);
 
-  /// Maxima and minima of the magnitude at the driving points that stand out by 20 % on both sides, frequency
-  /// by a parabola through three points.
-  nlohmann::ordered_json extrema_json(const FrequencyResponseParameters &parameters,
-                                      const ResponseVariant &variant);
+  /// Calls action(label of a point, index of its own response into a Receptance) for every point.
+  void for_each_driving_point(const FrequencyResponseParameters &parameters,
+                              const std::function<void(const std::string &, unsigned int)> &action);
 
   /// What the terminal ends with about analyses.frequency_response of results.json, see Answer.
   std::vector<std::string> frequency_response_answer(const nlohmann::ordered_json &response);

@@ -12,8 +12,7 @@ namespace vibrocontact
   using Receptance = std::vector<std::complex<double>>;
 
   /// Solves A X = B in place, both by columns. @throws ConvergenceError if A is singular
-  void solve_by_columns(std::vector<std::complex<double>> A, std::vector<std::complex<double>> &B, int n,
-                        int n_columns);
+  void solve_by_columns(std::vector<std::complex<double>> A, std::vector<std::complex<double>> &B);
 
   /// By modes, responses are asked for up to 3/4 of the frequency that modes reach to: above, those left out resonate.
   /// @param highest frequency that is asked for @param upper_frequency of the modes of a body [Hz]

@@ -25,6 +25,8 @@ namespace vibrocontact
     bool relocates_poles;
     /// in which lines from 0 Hz on are needed
     bool reads_impulse_responses;
+    /// pole pairs that the data determine; null: any number
+    unsigned int (*most_pairs)(const Spectra &data);
     /// A_k of the paper
     bool real_amplitudes;
     PoleFit (*fit)(const Spectra &data, unsigned int n_pairs, const ResidueRules &rules,
@@ -85,8 +87,9 @@ namespace vibrocontact
     /// `fit` is the passive one unless that is refused
     PassiveFit passivity;
     bool passivity_looked_at = false;
-    /// whether E is within Target error, if there is one
+    /// whether E is within Target error, if there is one, and by how many pairs that was tried at most
     bool target_reached = true;
+    unsigned int most_tried = 0;
     /// E that a fit of so many pairs leaves of noise alone, sqrt(1 - p / N): p = 2 n (1 + entries) numbers of the poles and
     /// residues, N = 2 lines entries of the data
     double error_of_noise = 1;
