@@ -92,17 +92,25 @@ namespace vibrocontact
     // standard distributions differ between libraries
     const auto random = [&] { return std::ldexp(static_cast<double>(generator() >> 11), -53); };
     constexpr double pi = dealii::numbers::PI;
+    // of a third of an octave, in its decimal logarithm
+    constexpr double band_width = 0.1;
     for (unsigned int band = 0; band < wavelengths.size(); ++band)
     {
       if (!(wavelengths[band] > 0))
         throw InputError(file.source + " has a wavelength_m that is not positive.");
       const double rms = 1e-6 * std::pow(10., levels[band] / 20), centre = 2 * pi / wavelengths[band];
       const std::string line = file.source + ", line " + std::to_string(file.lines[band]) + ",";
+      for (unsigned int other = 0; other < band; ++other)
+        if (std::abs(std::log10(wavelengths[band] / wavelengths[other])) < 0.9 * band_width)
+          throw InputError(line + " has a band about " + number_text(wavelengths[band]) +
+                           " m that overlaps the one about " + number_text(wavelengths[other]) +
+                           " m: bands are thirds of an octave, each given once.");
       if (!(rms <= most_height))
         throw InputError(line + " has a level of " + number_text(levels[band]) + " dB, heights of " +
                          number_text(rms) + " m (rms), more than " + number_text(most_height) +
                          " m: give levels over 1 um.");
-      const double lower = centre * std::pow(10., -0.05), width = centre * std::pow(10., 0.05) - lower;
+      const double lower = centre * std::pow(10., -band_width / 2),
+                   width = centre * std::pow(10., band_width / 2) - lower;
       if (x.size() > 1)
         check_carried_wave(line, 2 * pi / (lower + width), x[1] - x[0],
                            "leave this band out, or make the Grid spacing of the contact smaller");

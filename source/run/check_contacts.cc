@@ -252,6 +252,40 @@ namespace vibrocontact
             "number in both directions (along x alone with a Contact/Strip length).");
     }
 
+    /// A place of two bodies that belonged to two contacts would be pressed twice.
+    void check_overlap(const PlacedContacts &contacts)
+    {
+      const auto middle = [](const ContactGrid &grid, const unsigned int d)
+      {
+        return d == 0 ? grid.x_first + 0.5 * (grid.n_x - 1) * grid.spacing_x
+                      : grid.y_first + 0.5 * (grid.n_y - 1) * grid.spacing_y;
+      };
+      const auto half = [](const ContactGrid &grid, const unsigned int d)
+      { return 0.5 * (d == 0 ? grid.n_x * grid.spacing_x : grid.n_y * grid.spacing_y); };
+      for (std::size_t k = 0; k < contacts.all.size(); ++k)
+        for (std::size_t l = k + 1; l < contacts.all.size(); ++l)
+        {
+          const PlacedContact &one = contacts.all[k], &other = contacts.all[l];
+          if (one.above != other.above || one.below != other.below || one.frame.axes != other.frame.axes)
+            continue;
+          const std::array<double, 3> place = one.frame.coordinates(other.frame.origin);
+          bool overlap = true;
+          double size = 0;
+          for (unsigned int d = 0; d < 2; ++d)
+          {
+            const double reach = half(one.grid, d) + half(other.grid, d);
+            overlap = overlap &&
+                      std::abs(place[d] + middle(other.grid, d) - middle(one.grid, d)) < (1 - 1e-6) * reach;
+            size = std::max(size, reach);
+          }
+          if (overlap && std::abs(place[2]) < 0.1 * size)
+            throw InputError(
+                "The contacts " + one.name + " and " + other.name +
+                " of the same bodies overlap, where both would press: move the Origin of one, or "
+                "make Half length and Half width smaller.");
+        }
+    }
+
     /// A layer stays where it is; what it slides on is rigid.
     void check_layer(const Scene &scene, const RollingParameters &rolling)
     {
@@ -312,6 +346,7 @@ namespace vibrocontact
         check_touch(*joined[0], *joined[1], one.strip_length > 0);
       check_local_flexibility(parameters, one, joined);
     }
+    check_overlap(parameters.placed_contacts());
   }
 
   void check_own_equations(const Parameters &parameters, const std::string &what)

@@ -187,6 +187,8 @@ namespace vibrocontact
         else if (keyword == "*ELEMENT")
         {
           of_set("ELSET");
+          if (!set.empty())
+            sets_of_cells.insert(set);
           card = Card::element;
           kind = options["TYPE"];
           const std::string type = boost::to_upper_copy(kind);
@@ -210,6 +212,11 @@ namespace vibrocontact
           if (set.empty())
             refuse("has a set without a name");
           card = keyword == "*NSET" ? Card::node_set : Card::element_set;
+        }
+        else if (keyword == "*SOLID SECTION")
+        {
+          of_set("ELSET");
+          sets_of_cells.insert(set);
         }
         else if (keyword == "*SURFACE")
         {
@@ -355,9 +362,16 @@ namespace vibrocontact
           const auto found = elements.find(tag);
           return found != elements.end() && element_type(found->second.type)->dim == 3;
         };
+        std::set<std::string> only_of_surfaces;
+        for (const auto &[surface, parts] : surfaces)
+          for (const auto &[of, label] : parts)
+            if (sets_of_cells.count(of) == 0)
+              only_of_surfaces.insert(of);
         std::map<long long, std::vector<unsigned int>> groups_of;
         for (const auto &[set_name, members] : element_sets)
         {
+          if (only_of_surfaces.count(set_name) > 0)
+            continue;
           // a set of cells; or of shells
           std::set<unsigned int> dims;
           for (const long long tag : members)
@@ -465,6 +479,8 @@ namespace vibrocontact
       std::map<std::string, unsigned int> others;
       std::map<std::string, std::set<long long>> node_sets, element_sets;
       std::map<std::string, std::vector<std::pair<std::string, std::string>>> surfaces;
+      /// that elements are given in or have a section by; others may be the faces of surfaces alone, which are no groups of cells
+      std::set<std::string> sets_of_cells;
       std::map<std::pair<unsigned int, std::vector<unsigned int>>, std::vector<unsigned int>> blocks;
       FileMesh mesh;
     };

@@ -288,6 +288,14 @@ namespace vibrocontact
       throw InputError(what + "lies " + number_text(lowest) +
                        " m above the Contact point along z, the normal of "
                        "the contact: give a Contact point on it.");
+    for (const auto &[name, values] : {std::make_pair("x", x), std::make_pair("y", y)})
+    {
+      const double beside = std::max(*std::min_element(values.begin(), values.end()),
+                                     -*std::max_element(values.begin(), values.end()));
+      if (beside > std::max(side, cell))
+        throw InputError(what + "lies " + number_text(beside) + " m beside the Contact point along " + name +
+                         ", further than it is long: give a Contact point on it, in the unit of the nodes.");
+    }
     const auto columns = lines_of(x, 1e-4 * side), rows = lines_of(y, 1e-4 * side);
     if (!columns || !rows)
       throw InputError(

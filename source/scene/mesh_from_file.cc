@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/scene/cell_elements.h>
 #include <vibrocontact/scene/file_boundaries.h>
 #include <vibrocontact/scene/mesh_file.h>
@@ -11,6 +12,7 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -20,6 +22,33 @@ namespace vibrocontact
 
   namespace
   {
+    /// The contact point, which is the origin now, lies on the contact group or near it.
+    void check_contact_point(const FileCells &file, const MeshFileParameters &parameters,
+                             const std::string &name)
+    {
+      double nearest = std::numeric_limits<double>::max();
+      Point<3> low, high;
+      for (const FileCells::Face &face : file.faces)
+        if (std::any_of(face.groups.begin(), face.groups.end(),
+                        [&](const unsigned int group)
+                        { return file.names.at(group) == parameters.contact_group; }))
+          for (const unsigned int v : face.corners)
+          {
+            const Point<3> &place = file.vertices[v];
+            const bool first = nearest == std::numeric_limits<double>::max();
+            nearest = std::min(nearest, place.norm());
+            for (unsigned int d = 0; d < 3; ++d)
+            {
+              low[d] = first ? place[d] : std::min(low[d], place[d]);
+              high[d] = first ? place[d] : std::max(high[d], place[d]);
+            }
+          }
+      if (nearest < std::numeric_limits<double>::max() && nearest > low.distance(high))
+        throw InputError(name + "/Mesh/Contact point lies " + number_text(nearest) +
+                         " m away from the contact group '" + parameters.contact_group +
+                         "', further than that is large: give a point on it, in the unit of the file.");
+    }
+
     void check_size(const std::vector<Point<3>> &vertices, const MeshFileParameters &parameters)
     {
       const BoundingBox<3> box(vertices);
@@ -191,6 +220,8 @@ namespace vibrocontact
       vertex = Point<3>(parameters.unit * vertex - origin);
     for (auto &[key, place] : file.mid_nodes)
       place = Point<3>(parameters.unit * place - origin);
+    if (grid)
+      check_contact_point(file, parameters, name);
     for (unsigned int c = 0; c < file.cells.size(); ++c)
       file.cells[c].material_id = numbers[c];
     check_cells(file.vertices, file.cells, parameters.file, glued_faces(parameters, file),

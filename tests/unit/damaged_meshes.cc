@@ -75,6 +75,18 @@ TEST(DamagedMeshes, good_ones_are_taken)
     EXPECT_EQ(said_of_mesh(deck_of_box(type)), "nothing") << type;
 }
 
+TEST(DamagedMeshes, setsOfSurfacesAloneAreNoGroupsOfCells)
+{
+  const std::string good = deck_of_box("C3D8"),
+                    sets = "*ELSET, ELSET=pad_1, INTERNAL\n1\n*ELSET, ELSET=pad_2\n2\n",
+                    surface = "*SURFACE, NAME=pad\npad_1, S1\npad_2, S1\n";
+  expect_in(said_of_mesh(good + sets), {"has groups of cells", "pad_1"});
+  EXPECT_EQ(said_of_mesh(good + sets + surface), "nothing");
+  // a section makes one a group of cells
+  expect_in(said_of_mesh(good + sets + surface + "*SOLID SECTION, ELSET=pad_1, MATERIAL=steel\n"),
+            {"has groups of cells", "pad_1"});
+}
+
 TEST(DamagedMeshes, decks)
 {
   const std::string good = deck_of_box("C3D4");

@@ -11,7 +11,11 @@ namespace vibrocontact
 {
   nlohmann::ordered_json rolling_case_json(const RollingResult &result)
   {
-    return rolling_case_json(result, result);
+    nlohmann::ordered_json one = rolling_case_json(result, result);
+    for (const ContactResultants &contact : result.contacts)
+      if (contact.friction != result.friction)
+        one["friction"] = nullptr; // each contact has its own
+    return one;
   }
 
   nlohmann::ordered_json rolling_case_json(const RollingResult &result, const ContactResultants &of)
@@ -99,13 +103,12 @@ namespace vibrocontact
     for (const auto &[name, place] : columns)
       names.push_back(name);
     names.emplace_back("converged");
-    Table table(
-        names,
-        {"Quasi-static rolling, one row per case, in the order of results.json",
-         "forces and moment act on body 1; creepage = (velocity of body 1 - body 2) / speed; "
-         "converged: 1 yes, 0 no",
-         "errors: stated error of the normal force (0 if it is given), the tangential force (length of the "
-         "vector) and the moment by the grid; empty: not known"});
+    Table table(names, {"Quasi-static rolling, one row per case, in the order of results.json",
+                        "forces and moment act on body 1; creepage = (velocity of body 1 - body 2) / speed; "
+                        "converged: 1 yes, 0 no",
+                        "friction: empty where contacts have different ones; errors: stated error of the "
+                        "normal force (0 if it is given), the tangential force (length of the "
+                        "vector) and the moment by the grid; empty: not known"});
     for (const auto &one : cases)
     {
       std::vector<Table::Cell> row;
@@ -175,11 +178,12 @@ namespace vibrocontact
       lines.push_back("the bodies do not touch");
       return lines;
     }
-    lines.push_back(
-        text("normal force %.6g N, tangential force (%.6g, %.6g) N, utilisation %.4g of friction %g%s",
-             number(last, "normal_force_N"), force.size() > 0 ? force[0].get<double>() : 0.,
-             force.size() > 1 ? force[1].get<double>() : 0., number(last, "utilisation"),
-             number(last, "friction"), word(last, "status") == "converged" ? "" : ", NOT converged"));
+    lines.push_back(text("normal force %.6g N, tangential force (%.6g, %.6g) N, utilisation %.4g of ",
+                         number(last, "normal_force_N"), force.size() > 0 ? force[0].get<double>() : 0.,
+                         force.size() > 1 ? force[1].get<double>() : 0., number(last, "utilisation")) +
+                    (is_given(last, "friction") ? text("friction %g", number(last, "friction"))
+                                                : "the friction of its contacts") +
+                    (word(last, "status") == "converged" ? "" : ", NOT converged"));
     if (last.contains("error_not_known"))
       lines.push_back("error by the grid not known: " + word(last, "error_not_known"));
     if (is_known(last))
