@@ -3,6 +3,8 @@
 #include <vibrocontact/coupled_bodies/exact_roots.h>
 #include <vibrocontact/coupled_bodies/inertial_contact.h>
 
+#include <string>
+
 namespace vibrocontact
 {
   // Closed points that nothing yields move with the modes, whose mass is theirs.
@@ -30,11 +32,13 @@ namespace vibrocontact
       throw InputError("A closed contact point has mass and nothing that yields, which Stability/Loss "
                        "hysteretic does not take: set it to viscous, or give Contact/Normal law one that "
                        "yields.");
-    if (pair.hub || n_rigid < n_closed || pair.n_poles() > 0)
-      throw InputError(
-          "A closed contact point has mass and nothing that yields, which Stability takes with a "
-          "held hub, without poles and if all closed points are so: set Rolling/Hub to held, or "
-          "give Contact/Normal law one that yields.");
+    const std::string other = pair.hub             ? "the hub moves: set Rolling/Hub to held"
+                              : pair.n_poles() > 0 ? "a body is known by poles: take one of modes"
+                              : n_rigid < n_closed ? "other closed points yield: make all of them alike"
+                                                   : "";
+    if (!other.empty())
+      throw InputError("A closed contact point has mass and nothing that yields, but " + other +
+                       ", or give Contact/Normal law one that yields.");
     return inertial_roots(inertial_pair(pair), scheme, about, options);
   }
 } // namespace vibrocontact

@@ -215,7 +215,7 @@ namespace vibrocontact
       const RollingResult &solve(const unsigned int k)
       {
         const RollingCase &one = sweep.cases[k];
-        ContactProblem problem = grid.problem(k);
+        ContactProblem problem;
         const bool continues = !last.solution.empty() && last.rolling_case.curve == one.curve &&
                                last.rolling_case.friction == one.friction && last.solution.converged;
         std::string failure;
@@ -223,6 +223,8 @@ namespace vibrocontact
         {
           const auto begin = WallClock::now();
           failure.clear();
+          // friction that falls with the speed changes the problem on the way
+          problem = grid.problem(k);
           try
           {
             if (grid.corrects_edge())

@@ -3,6 +3,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/coupled_bodies/quasi_static_rolling.h>
 #include <vibrocontact/marching/check_drive.h>
+#include <vibrocontact/marching/march.h>
 #include <vibrocontact/marching/transient_parameters.h>
 #include <vibrocontact/scene/carried_waves.h>
 
@@ -94,7 +95,7 @@ namespace vibrocontact
     const std::function<double(double)> displacement = hub_displacement_over_time(transient);
     // a jump against the motion is hidden by what moves beside it: the less, the shorter the parts are
     constexpr double parts_of_a_step = 16;
-    const double n_steps = std::floor(transient.end_time / transient.time_step + 1e-6),
+    const double n_steps = steps_until(transient.end_time, transient.time_step),
                  n = parts_of_a_step * std::min<double>(most_checked_instants, std::max(1., n_steps)),
                  part = transient.end_time / n;
     double size = 0;
@@ -113,7 +114,7 @@ namespace vibrocontact
     const auto look = [&](const DriveFunction &drive, const double most_instants)
     {
       const double n =
-          std::min(most_instants, std::max(1., std::floor(transient.end_time / transient.time_step + 1e-6)));
+          std::min(most_instants, std::max(1., steps_until(transient.end_time, transient.time_step)));
       for (unsigned int k = 0; k <= n; ++k)
         drive(k / n * transient.end_time);
       return drive(0);
@@ -122,7 +123,7 @@ namespace vibrocontact
     smooth.roughness = {};
     const DriveFunction smooth_drive = drive_function(smooth, constant, contacts);
     const Drive first = look(smooth_drive, most_checked_instants);
-    const double step = transient.least_step(), n_steps = std::floor(transient.end_time / step + 1e-6);
+    const double step = transient.least_step(), n_steps = steps_until(transient.end_time, step);
     const auto check_seen =
         [&](const DriveFunction &drive, const std::string &name, const auto &part, const double n_looks)
     {

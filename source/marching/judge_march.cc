@@ -45,8 +45,7 @@ namespace vibrocontact
     std::string text;
     for (const ErrorReport::Part &part : report.parts)
       text += (text.empty() ? "" : ", ") + percent_text(part.error) + " of the " + part.of_what;
-    refuse(report.analysis,
-           "The " + report.analysis + "'s steps are too long for its result: the error is estimated at " +
+    refuse("The " + report.analysis + "'s steps are too long for its result: the error is estimated at " +
                text + ", from " + report.method + "." + advice,
            results);
   }

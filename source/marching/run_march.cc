@@ -61,7 +61,7 @@ namespace vibrocontact
                                   : "Interrupted within a block of long steps; --resume continues from the "
                                     "checkpoint at its beginning.");
     if (!failure.str().empty())
-      refuse(name, failure.str() + (failure.str().back() == '.' ? "" : "."), results);
+      refuse(failure.str() + (failure.str().back() == '.' ? "" : "."), results);
     return is_whole;
   }
 } // namespace vibrocontact

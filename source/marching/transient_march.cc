@@ -23,8 +23,7 @@ namespace vibrocontact
           forces(forces_of(state)), now(drive(state.time)),
           step_levels(parameters, contact, solver, pair, now.creepage.speed), next(state),
           half_time(parameters.end_time / 2), propagates_exactly(parameters.propagates_exactly()),
-          // never beyond the end, where tables may stop
-          last(std::floor(parameters.end_time / step_levels.shortest() + 1e-6))
+          last(steps_until(parameters.end_time, step_levels.shortest()))
     {
       result.contacts.resize(pair.interface.contacts.all.size());
       if (result.steps > 0)
@@ -104,9 +103,12 @@ namespace vibrocontact
     /// The exact propagator has no error of modes that nothing touches.
     void add_modal_motions(const double h)
     {
-      if (state.time <= half_time && next.time > half_time)
+      if (next.time <= half_time)
+        return;
+      // a run that was resumed with an earlier end may be beyond its middle
+      if (state.time <= half_time || result.modal_motions.empty())
         result.modal_motions.assign(pair.n_modes(), {});
-      if (next.time <= half_time || (propagates_exactly && next.R.all_zero() && state.R.all_zero()))
+      if (propagates_exactly && next.R.all_zero() && state.R.all_zero())
         return;
       for (unsigned int k = 0; k < pair.n_modes(); ++k)
       {

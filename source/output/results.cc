@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vibrocontact
@@ -27,7 +28,40 @@ namespace vibrocontact
       sum.add(text.data(), text.size());
       return hexadecimal(sum.value());
     }
+
+    void add_verdicts(const std::vector<Results::Verdict> &verdicts, const std::string &name,
+                      nlohmann::ordered_json &top)
+    {
+      for (const auto &[analysis, message] : verdicts)
+      {
+        top["messages"].push_back(message);
+        top[name].push_back({{"analysis", analysis}, {"message", message}});
+      }
+    }
+
+    /// About these analyses.
+    std::vector<Results::Verdict> verdicts_of(const nlohmann::ordered_json &top, const std::string &name,
+                                              const std::set<std::string> &analyses)
+    {
+      std::vector<Results::Verdict> verdicts;
+      for (const auto &one : top.value(name, nlohmann::ordered_json::array()))
+      {
+        const auto analysis = one.at("analysis").get<std::string>();
+        if (analyses.count(analysis) > 0)
+          verdicts.push_back({analysis, one.at("message").get<std::string>()});
+      }
+      return verdicts;
+    }
   } // namespace
+
+  void Results::forget(const std::string &analysis)
+  {
+    finished.erase(analysis);
+    for (std::vector<Verdict> *const list : {&failures, &warnings})
+      list->erase(std::remove_if(list->begin(), list->end(),
+                                 [&](const Verdict &one) { return one.analysis == analysis; }),
+                  list->end());
+  }
 
   void check_finite(const nlohmann::ordered_json &node, const std::string &path)
   {
@@ -38,6 +72,12 @@ namespace vibrocontact
     if (node.is_structured())
       for (const auto &[key, child] : node.items())
         check_finite(child, path + "/" + key);
+  }
+
+  void take_from_first_rank(nlohmann::ordered_json &object)
+  {
+    object = nlohmann::ordered_json::from_cbor(
+        dealii::Utilities::MPI::broadcast(run_communicator(), nlohmann::ordered_json::to_cbor(object), 0));
   }
 
   std::string results_text(const Results &results, const double wall_seconds)
@@ -63,13 +103,8 @@ namespace vibrocontact
     top["finished"] = results.finished;
     if (results.stopped_by != 0)
       top["interrupted"] = true;
-    for (const auto &[analysis, message] : results.failures)
-    {
-      top["messages"].push_back(message);
-      top["not_converged"].push_back({{"analysis", analysis}, {"message", message}});
-    }
-    for (const std::string &warning : results.warnings)
-      top["messages"].push_back(warning);
+    add_verdicts(results.failures, "not_converged", top);
+    add_verdicts(results.warnings, "warnings", top);
     if (!results.answers.empty())
       top["answers"] = results.answers;
     top["analyses"] = results.analyses;
@@ -93,12 +128,8 @@ namespace vibrocontact
       Results results;
       results.input_files = top.value("input_files", results.input_files);
       results.finished = top.at("finished").get<std::set<std::string>>();
-      for (const auto &failure : top.value("not_converged", nlohmann::ordered_json::array()))
-      {
-        const auto analysis = failure.at("analysis").get<std::string>();
-        if (results.finished.count(analysis) > 0)
-          results.failures.push_back({analysis, failure.at("message").get<std::string>()});
-      }
+      results.failures = verdicts_of(top, "not_converged", results.finished);
+      results.warnings = verdicts_of(top, "warnings", results.finished);
       if (!results.finished.empty())
         results.analyses = top.at("analyses");
       return results;

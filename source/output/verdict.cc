@@ -6,12 +6,12 @@ namespace vibrocontact
   void doubt(const std::string &text, Results &results)
   {
     run_log().warning(text);
-    results.warnings.push_back(text);
+    results.warnings.push_back({results.running, text});
   }
 
-  void refuse(const std::string &analysis, const std::string &text, Results &results)
+  void refuse(const std::string &text, Results &results)
   {
     run_log().warning(text);
-    results.failures.push_back({analysis, text});
+    results.failures.push_back({results.running, text});
   }
 } // namespace vibrocontact

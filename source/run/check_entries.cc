@@ -222,9 +222,10 @@ namespace vibrocontact
     for (const SweepCases &sweep : sweeps)
       for (const std::string &entry : moved_entries(sweep.entries))
         if (!is_read(entry))
-          throw InputError(file.where(sweep.section, "Entry") + ": " + entry +
-                           " is swept, but it changes nothing: " + who_reads(entry, analyses, parameters) +
-                           ". Sweep another entry.");
+          throw InputError(file.where(sweep.section, sweep.entry) + ": " + entry +
+                           (sweep.beside_run ? " is varied" : " is swept") +
+                           ", but it changes nothing: " + who_reads(entry, analyses, parameters) +
+                           (sweep.beside_run ? ". Name another entry." : ". Sweep another entry."));
     ReadersOfTheFile readers_of_the_file(file, analyses, parameters);
     std::vector<std::string> out_of_use, refused;
     for (const std::string &path : order)

@@ -3,6 +3,7 @@
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/run/check_contacts.h>
 #include <vibrocontact/run/check_periodic.h>
+#include <vibrocontact/run/check_transient.h>
 #include <vibrocontact/scene/identified.h>
 
 namespace vibrocontact
@@ -169,6 +170,14 @@ namespace vibrocontact
         throw InputError(parameters.scene.bodies[b].name +
                          "/Modes/Stiffness damping is given, but Periodic/Continuation/Stability is not "
                          "computed for friction at points whose flexibility relaxes: leave one of them out.");
+    for (unsigned int k = 0; k < parameters.contacts.all.size(); ++k)
+      if (tells_stability && parameters.periodic_law(k)->is_rigid() && parameters.periodic.is_reduced() &&
+          !a_body_yields_in(parameters, k))
+        throw InputError(
+            "Periodic/Continuation/Stability is told of motions against a rigid stop where a contact point "
+            "without mass meets it, but in " +
+            parameters.contacts.all[k].section +
+            " nothing yields: set Stability to none, or take a normal law that yields.");
     if (tells_stability && rigid && !parameters.periodic.is_reduced() && !has_massless_node)
       throw InputError(
           "Periodic/Continuation/Stability with the rigid law needs a contact node without mass: set " +

@@ -60,16 +60,6 @@ namespace vibrocontact
       return false;
     }
 
-    /// Whether a body of a contact yields there beside its modes.
-    bool a_body_yields_in(const Parameters &parameters, const unsigned int contact)
-    {
-      const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
-      const auto [above, below] = parameters.bodies_of_contact(contact);
-      const auto yields = [](const BodyParameters &body)
-      { return !body.description->has_rigid_points() && !body.description->is_rigid(); };
-      return yields(bodies[above]) || yields(bodies[below]);
-    }
-
     /// The first body whose points have mass in a contact where nothing yields; null: there is none. @param along_surface there, where
     /// no normal law yields either
     const BodyParameters *body_with_rigid_points(const Parameters &parameters,
@@ -188,6 +178,15 @@ namespace vibrocontact
   bool contact_points_have_mass(const Parameters &parameters)
   {
     return elements_have_mass(parameters) || body_with_rigid_points(parameters);
+  }
+
+  bool a_body_yields_in(const Parameters &parameters, const unsigned int contact)
+  {
+    const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
+    const auto [above, below] = parameters.bodies_of_contact(contact);
+    const auto yields = [](const BodyParameters &body)
+    { return !body.description->has_rigid_points() && !body.description->is_rigid(); };
+    return yields(bodies[above]) || (below < bodies.size() && yields(bodies[below]));
   }
 
   bool yields_beside_modes(const Parameters &parameters)

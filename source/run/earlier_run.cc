@@ -6,9 +6,12 @@
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/marching/transient_checkpoint.h>
 #include <vibrocontact/run/earlier_run.h>
+#include <vibrocontact/run/sweep_cases.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 namespace vibrocontact
 {
@@ -24,6 +27,22 @@ namespace vibrocontact
                          ", hence no checkpoint either: give the folder of the interrupted run by --output, "
                          "or run the file without --resume");
       return text.str();
+    }
+
+    /// Of a sweep's cases, unless it sweeps some entry.
+    std::vector<std::string> folders_of_cases(const std::string &folder, const Parameters &parameters,
+                                              const std::string &analysis, const std::string &entry)
+    {
+      std::vector<std::string> folders;
+      const auto sweep = parameters.sweeps.find(analysis);
+      if (sweep == parameters.sweeps.end() || !sweep->second.any() || sweep->second.sweeps(entry))
+        return folders;
+      std::error_code none;
+      for (const auto &one :
+           std::filesystem::directory_iterator(folder + "/sweep/" + results_key(analysis), none))
+        if (one.is_directory())
+          folders.push_back(one.path().string());
+      return folders;
     }
 
     bool may_change(const std::string &section, const std::string &name)
@@ -72,6 +91,11 @@ namespace vibrocontact
     }
   } // namespace
 
+  void check_earlier_run(const std::string &folder)
+  {
+    on_all_ranks([&] { content(folder, "used.prm"); });
+  }
+
   Results earlier_results(const std::string &folder, const DeclaredParameters &used,
                           const Parameters &parameters)
   {
@@ -82,8 +106,13 @@ namespace vibrocontact
         {
           check_same(folder, content(folder, "used.prm"), used);
           transient_checkpoint(folder).check_end_time(parameters.transient.end_time);
-          // the march ends at the step nearest to End time, up to half a step behind it
-          road_checkpoint(folder).check_end_time(road.end_time, road.time_step / 2);
+          for (const std::string &one :
+               folders_of_cases(folder, parameters, "transient", "Transient/End time"))
+            transient_checkpoint(one).check_end_time(parameters.transient.end_time);
+          road_checkpoint(folder).check_end_time(road.end_time);
+          for (const std::string &one :
+               folders_of_cases(folder, parameters, "modal convolution", "Modal convolution/End time"))
+            road_checkpoint(one).check_end_time(road.end_time);
           results = results_of_text(content(folder, "results.json"));
           check_files(folder, results.input_files, used);
         });

@@ -23,15 +23,20 @@ namespace vibrocontact
   std::string missed_target(const Identification &one, const IdentificationParameters &own)
   {
     return "Identification/Target error " + number_text(own.target_error) + " is not reached by " +
-           one.method + " with up to " + std::to_string(own.largest) +
-           " pole pairs; the best fit has E = " + number_text(one.worst()) + " with " +
-           std::to_string(one.n_asked) + ".";
+           one.method + " with up to " + std::to_string(one.most_tried) + " pole pairs" +
+           (one.most_tried < own.largest ? ", which the data determine at most" : "") +
+           "; the best fit has E = " + number_text(one.worst()) + " with " + std::to_string(one.n_asked) +
+           ".";
   }
 
   void print_fit(const Identification &one)
   {
-    run_log().line(one.method + ", " + number_text(one.fit.n_pairs()) + " pole pairs: E = " +
-                   number_text(one.worst()) + " (worst entry), " + time_text(one.seconds));
+    run_log().line(
+        one.method + ", " + number_text(one.fit.n_pairs()) + " pole pairs" +
+        (one.fit.n_pairs() < one.n_asked
+             ? " (of " + std::to_string(one.n_asked) + " asked, others are unstable or belong to no motion)"
+             : std::string()) +
+        ": E = " + number_text(one.worst()) + " (worst entry), " + time_text(one.seconds));
     if (one.fit.n_unstable() > 0)
       run_log().warning(std::to_string(one.fit.n_unstable()) + " poles are unstable.");
     if (!one.fit.converged)
@@ -83,7 +88,8 @@ namespace vibrocontact
     first.contact_step = contact_step;
     const Identification one = identify(first, data, print_fit).front();
     if (!one.target_reached)
-      run_log().warning(missed_target(one, first));
+      throw InputError("The body " + body.name + " cannot be used: " + missed_target(one, first) +
+                       " Raise Target error or Largest number of pole pairs, or choose a narrower band.");
     if (one.passivity_refused())
       throw InputError("The body " + body.name + " cannot be used: the model fitted by " + one.method +
                        " with " + std::to_string(one.n_asked) + " pole pairs gives energy to forces and " +

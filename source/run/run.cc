@@ -7,12 +7,14 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/nearest_names.h>
+#include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/base/version.h>
 #include <vibrocontact/base/wall_clock.h>
 #include <vibrocontact/output/answer_parts.h>
 #include <vibrocontact/output/answers.h>
 #include <vibrocontact/output/figures.h>
 #include <vibrocontact/output/run_record.h>
+#include <vibrocontact/output/verdict.h>
 #include <vibrocontact/run/check_before_run.h>
 #include <vibrocontact/run/check_entries.h>
 #include <vibrocontact/run/earlier_run.h>
@@ -27,6 +29,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <set>
 
 namespace vibrocontact
 {
@@ -58,6 +61,27 @@ namespace vibrocontact
                  faster_blas_advice(blas));
     }
 
+    /// No file has such numbers. Collective.
+    void take_out_what_is_not_finite(Results &results)
+    {
+      // what ranks hold may differ in the last digit
+      std::vector<std::pair<std::string, std::string>> found;
+      for (const auto &[key, object] : results.analyses.items())
+        try
+        {
+          check_finite(object, "analyses/" + key);
+        }
+        catch (const ConvergenceError &error)
+        {
+          found.emplace_back(key, error.what());
+        }
+      for (const auto &[key, reason] : dealii::Utilities::MPI::broadcast(run_communicator(), found, 0))
+      {
+        results.analyses.erase(key);
+        refuse(reason, results);
+      }
+    }
+
     /// @param resume whether an earlier run in the folder is continued
     void run_analyses(const Tables &tables, const Parameters &parameters, const MeshedBodies &bodies,
                       const std::optional<MeasuredData> &measured, const std::vector<SweepCases> &sweeps,
@@ -70,15 +94,25 @@ namespace vibrocontact
         record.save(results, seconds_since(begin));
       };
       const SweepCases nothing_swept;
+      std::set<std::string> came_to_nothing;
       for (const Analysis &analysis : tables.analyses)
       {
         if (results.stopped_by != 0)
           break;
         const std::string &name = analysis.type.name;
-        if (analysis.continues || (analysis.goes_on && analysis.goes_on(parameters)))
-          results.finished.erase(name);
+        const std::string first = analysis.begins_after ? analysis.begins_after(parameters) : "";
+        if (analysis.continues || !first.empty())
+          results.forget(name);
         if (!parameters.scene.runs(name) || results.finished.count(name) > 0)
           continue;
+        results.running = name;
+        if (came_to_nothing.count(first) > 0)
+        {
+          refuse("It begins at the end of the " + first + ", which came to nothing.", results);
+          results.running.clear();
+          came_to_nothing.insert(name);
+          continue;
+        }
         const std::size_t n_failures = results.failures.size();
         const auto sweep = std::find_if(sweeps.begin(), sweeps.end(),
                                         [&](const SweepCases &one) { return one.analysis == name; });
@@ -93,13 +127,26 @@ namespace vibrocontact
                              save,
                              [&] { record.save_sometimes(results, seconds_since(begin)); },
                              tables.recorders};
-        if (!swept || sweep->beside_run)
-          analysis.run(on);
-        if (swept && results.stopped_by == 0)
-          run_sweep(analysis, on);
+        bool came_to_its_end = false;
+        try
+        {
+          if (!swept || sweep->beside_run)
+            analysis.run(on);
+          if (swept && results.stopped_by == 0)
+            run_sweep(analysis, on);
+          came_to_its_end = results.stopped_by == 0;
+        }
+        // the others say what they find all the same
+        catch (const ConvergenceError &error)
+        {
+          refuse(error.what(), results);
+          came_to_nothing.insert(name);
+        }
+        take_out_what_is_not_finite(results);
         // what was stopped, or continues and did not converge, goes on from its checkpoint
-        if (results.stopped_by == 0 && (!analysis.continues || results.failures.size() == n_failures))
+        if (came_to_its_end && (!analysis.continues || results.failures.size() == n_failures))
           results.finished.insert(name);
+        results.running.clear();
         save();
       }
     }
@@ -119,6 +166,20 @@ namespace vibrocontact
       return kinds;
     }
 
+    /// Analyses behind one that ended the run.
+    void add_what_was_not_run(const std::vector<Analysis> &analyses, const Parameters &parameters,
+                              Results &results)
+    {
+      bool behind = false;
+      for (const Analysis &analysis : analyses)
+      {
+        const std::string &name = analysis.type.name;
+        if (behind && parameters.scene.runs(name) && results.finished.count(name) == 0)
+          results.failures.push_back({name, "The analysis " + name + " was not run."});
+        behind = behind || name == results.running;
+      }
+    }
+
     /// Why the answers are not to be trusted, last of all.
     void say_failures(const Results &results)
     {
@@ -127,7 +188,8 @@ namespace vibrocontact
         return;
       Lines lines;
       for (std::size_t k = 0; k < std::min(most_said, results.failures.size()); ++k)
-        lines.push_back(results.failures[k].message);
+        lines.push_back((results.failures[k].analysis.empty() ? "" : results.failures[k].analysis + ": ") +
+                        results.failures[k].message);
       say_more(results.failures.size(), "reasons in results.json", lines);
       run_log().block("Not converged");
       for (const std::string &line : lines)
@@ -139,7 +201,6 @@ namespace vibrocontact
     void finish(const std::vector<Analysis> &analyses, const bool figures, RunRecord &record,
                 Results &results, const WallClock::time_point begin)
     {
-      results.complete = results.stopped_by == 0;
       results.peak_memory = peak_memory_of_ranks();
       record.save(results, seconds_since(begin));
       if (figures && results.complete)
@@ -182,6 +243,9 @@ namespace vibrocontact
     dealii::ParameterHandler prm;
     read_parameters(file, prm, parameters, tables.analysis_types(),
                     std::make_shared<const EntryTables>(tables));
+    const std::string folder = parameters.output.folder(command_line.output, command_line.file);
+    if (command_line.resume)
+      check_earlier_run(folder);
     std::vector<SweepCases> sweeps = sweep_cases(parameters, file, command_line.overrides);
     for (const Analysis &analysis : tables.analyses)
       if (analysis.variations && parameters.scene.runs(analysis.type.name))
@@ -196,7 +260,6 @@ namespace vibrocontact
       for (BodyParameters &body : parameters.scene.bodies)
         body.description->write_no_mesh();
 
-    const std::string folder = parameters.output.folder(command_line.output, command_line.file);
     const DeclaredParameters used = declared_parameters(prm).without(out_of_use);
     const ContactGrid grid = parameters.contact_grid();
     MeshedBodies bodies;
@@ -252,10 +315,11 @@ namespace vibrocontact
       // what analyses before this one have computed stays
       if (results.finished.empty() && results.analyses.size() < 2)
         return record.discard();
-      results.failures.push_back({"", failure});
+      results.failures.push_back({results.running, failure});
+      add_what_was_not_run(tables.analyses, parameters, results);
       try
       {
-        record.save(results, seconds_since(begin));
+        finish(tables.analyses, false, record, results, begin);
       }
       catch (const OutputError &)
       {
@@ -276,15 +340,10 @@ namespace vibrocontact
       keep_what_was_done(error.what());
       throw InputError(file.located(error.what()));
     }
-    catch (const ConvergenceError &error)
-    {
-      results.failures.push_back({"", error.what()});
-      run_log().warning(error.what());
-    }
     catch (const OutputError &error)
     {
       // what was written stays, and says that it is not all
-      results.failures.push_back({"", error.what()});
+      results.failures.push_back({results.running, error.what()});
       try
       {
         record.save(results, seconds_since(begin));
@@ -296,6 +355,7 @@ namespace vibrocontact
     }
     results.reductions = reductions_json(bodies);
     write_track_fits(bodies, folder);
+    results.complete = results.stopped_by == 0;
     finish(tables.analyses, parameters.output.figures, record, results, begin);
     if (results.stopped_by != 0)
       return 128 + results.stopped_by;

@@ -2,6 +2,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/coupled_bodies/hysteretic_loss.h>
 #include <vibrocontact/coupled_bodies/residual_damping.h>
+#include <vibrocontact/output/verdict.h>
 #include <vibrocontact/run/say_residual_damping.h>
 
 #include <deal.II/base/numbers.h>
@@ -88,8 +89,7 @@ namespace vibrocontact
         run_log().line(text + ".");
         return;
       }
-      results.warnings.push_back(text + "; keep more modes.");
-      run_log().warning(results.warnings.back());
+      doubt(text + "; keep more modes.", results);
     }
   } // namespace
 
@@ -148,9 +148,8 @@ namespace vibrocontact
     results.analyses["stability"]["residual_damping"] = {{"taken", elastic.empty() && !by_poles}};
     if (elastic.empty())
       return;
-    results.warnings.push_back("What the modes leave out of " + elastic +
-                               " stays elastic in stability, since the materials have several loss factors; "
-                               "keep more modes.");
-    run_log().warning(results.warnings.back());
+    doubt("What the modes leave out of " + elastic +
+              " stays elastic in stability, since the materials have several loss factors; keep more modes.",
+          results);
   }
 } // namespace vibrocontact

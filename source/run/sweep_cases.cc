@@ -1,6 +1,7 @@
 #include <vibrocontact/base/checksum.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/input_files.h>
+#include <vibrocontact/base/log.h>
 #include <vibrocontact/run/sweep_cases.h>
 
 #include <algorithm>
@@ -150,6 +151,7 @@ namespace vibrocontact
         second = wanted_values(asked.second, sweep.left_out);
       }
       std::map<std::vector<std::string>, SweepCase> known;
+      Progress progress("reading the cases of " + sweep.section, double(first.size()) * second.size());
       for (unsigned int i = 0; i < first.size(); ++i)
         for (unsigned int j = 0; j < second.size(); ++j)
         {
@@ -187,6 +189,7 @@ namespace vibrocontact
           one.lateral_position = lateral_position;
           one.mark = mark_at(one.mark, lateral_position);
           sweep.cases.push_back(std::move(one));
+          progress.advance();
         }
       return sweep;
     }

@@ -76,13 +76,16 @@ namespace vibrocontact
         std::filesystem::create_directories(folders[k], ignored);
         const Log::Aside log(folders[k] + "/log.txt", on.resume);
         Results results;
+        results.running = on.sweep.analysis;
         runs[k](run_of(k, results));
         if (results.stopped_by != 0)
           throw CaseStopped{results.stopped_by};
         check_finite(results.analyses);
-        CaseResults came{Json::to_cbor(results.analyses), {}, results.warnings};
-        for (const Results::Failure &failure : results.failures)
+        CaseResults came{Json::to_cbor(results.analyses), {}, {}};
+        for (const Results::Verdict &failure : results.failures)
           came.failures.push_back(failure.message);
+        for (const Results::Verdict &warning : results.warnings)
+          came.warnings.push_back(warning.message);
         return dealii::Utilities::pack(came, false);
       }
 
@@ -94,8 +97,7 @@ namespace vibrocontact
         for (unsigned int i = 0; i < one.values.size(); ++i)
           std::visit([&](const auto &value) { found["swept"][on.sweep.columns[i]] = value; }, one.values[i]);
         found["folder"] = folders[k].substr(on.folder.size() + 1);
-        const auto fail = [&](const std::string &reason)
-        { refuse(on.sweep.analysis, text + ": " + reason, on.results); };
+        const auto fail = [&](const std::string &reason) { refuse(text + ": " + reason, on.results); };
         const auto failed = [&](const std::string &reason)
         {
           found["status"] = "failed";

@@ -2,6 +2,8 @@
 #include "hdf5_bytes.h"
 #include "readers.h"
 
+#include <vibrocontact/marching/transient_checkpoint.h>
+
 #include <filesystem>
 
 using namespace vibrocontact;

@@ -146,6 +146,14 @@ joint = Scene("lap_joint", "Transient/End time=0.006")
 joint.stop(signal.SIGTERM)
 joint.more_ranks()
 
+# a run that is stopped early goes on to an earlier end, beyond the middle of which it is already
+bar.interrupt("earlier", signal.SIGTERM, None)
+reached = results(bar.folder("earlier"))["analyses"]["transient"]["time_s"]
+bar.run("earlier", "--resume", "--set", f"Transient/End time={1.5 * reached}")
+for column, values in histories(bar.folder("earlier")).items():
+    if column.startswith("histories/") and values.tobytes() != bar.whole[column][:len(values)].tobytes():
+        fail(f"{bar.folder('earlier')}: {column} differs")
+
 # a run that came to its end goes on to a later one
 bar.run("later", "--set", "Transient/End time=4")
 bar.run("later", "--resume")

@@ -3,6 +3,7 @@
 #include "small_march.h"
 
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/marching/transient_checkpoint.h>
 
 #include <gtest/gtest.h>
 

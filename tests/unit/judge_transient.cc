@@ -83,8 +83,8 @@ TEST(EndedEarly, TheStepIsNotBlamed)
   EXPECT_NE(whole.failures[0].message.find("time step is too long"), std::string::npos);
   EXPECT_TRUE(early.failures.empty());
   ASSERT_EQ(early.warnings.size(), 1u);
-  EXPECT_EQ(early.warnings[0].find("time step"), std::string::npos) << early.warnings[0];
-  EXPECT_NE(early.warnings[0].find("ended early"), std::string::npos) << early.warnings[0];
+  EXPECT_EQ(early.warnings[0].message.find("time step"), std::string::npos) << early.warnings[0].message;
+  EXPECT_NE(early.warnings[0].message.find("ended early"), std::string::npos) << early.warnings[0].message;
 }
 
 TEST(EndedEarly, TheAnswerSaysItLast)

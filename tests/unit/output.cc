@@ -97,17 +97,23 @@ TEST(Results, NamesOfTheInterface)
   EXPECT_THROW(results_text(results, 0), ConvergenceError);
 }
 
-TEST(Results, AResumedRunForgetsFailuresOfWhatItDoesAgain)
+TEST(Results, AResumedRunForgetsWhatWasSaidOfWhatItDoesAgain)
 {
   Results results;
   results.finished = {"stability"};
   results.failures = {{"stability", "a case"}, {"transient", "a step"}, {"", "the run"}};
+  results.warnings = {{"transient", "few steps"}, {"stability", "few modes"}};
   const std::string text = results_text(results, 0);
-  EXPECT_EQ(nlohmann::json::parse(text)["messages"].size(), 3u);
-  const Results later = results_of_text(text);
+  EXPECT_EQ(nlohmann::json::parse(text)["messages"].size(), 5u);
+  EXPECT_EQ(nlohmann::json::parse(text)["warnings"][1]["analysis"], "stability");
+  Results later = results_of_text(text);
   ASSERT_EQ(later.failures.size(), 1u);
   EXPECT_EQ(later.failures[0].analysis, "stability");
   EXPECT_EQ(later.failures[0].message, "a case");
+  ASSERT_EQ(later.warnings.size(), 1u);
+  EXPECT_EQ(later.warnings[0].message, "few modes");
+  later.forget("stability");
+  EXPECT_TRUE(later.converged() && later.warnings.empty() && later.finished.empty());
   results.failures.erase(results.failures.begin());
   EXPECT_TRUE(results_of_text(results_text(results, 0)).converged());
 }

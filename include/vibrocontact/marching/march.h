@@ -2,6 +2,7 @@
 
 #include <vibrocontact/base/checkpoint_file.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,13 @@ namespace vibrocontact
 {
   /// Numbers that tell bodies apart, by name.
   using Marks = std::vector<std::pair<std::string, std::vector<double>>>;
+
+  /// Whole steps up to an end [s]; never beyond it, where tables may stop.
+  inline double steps_until(const double end_time, const double time_step)
+  {
+    constexpr double rounding_of_times = 1e-6;
+    return std::floor(end_time / time_step + rounding_of_times);
+  }
 
   /// A motion in time, found block of steps after block of steps by run_march() (marching/run_march.h). What happens in
   /// a step is the march's own; a virtual call for each block costs nothing.

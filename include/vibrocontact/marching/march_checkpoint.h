@@ -30,9 +30,8 @@ namespace vibrocontact
     /// @param exchange reads it, is given the time of the march [s]
     /// @return false: there is no checkpoint @throws InputError if it is damaged, of another version or of other bodies
     bool read_part(const Marks &marks, const std::function<void(CheckpointFile &, double)> &exchange) const;
-    /// @param slack how far beyond it the last step may end [s]
     /// @throws InputError if there is a checkpoint beyond the end time [s], or one that read() would refuse for itself
-    void check_end_time(double end_time, double slack = 0) const;
+    void check_end_time(double end_time) const;
 
   private:
     /// null: there is none

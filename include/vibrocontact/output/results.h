@@ -10,8 +10,8 @@
 namespace vibrocontact
 {
   /// results.json: title (of the file, if it has one), program (version, commit, dealii, ranks), input_files, status,
-  /// complete, wall_s, finished (analyses that came to their end), not_converged (by analysis) about what did
-  /// not converge, messages about that and about what is doubtful, interrupted if a signal stopped the run,
+  /// complete, wall_s, finished (analyses that came to their end), not_converged and warnings (by analysis) about what did
+  /// not converge and what is doubtful, messages of both, interrupted if a signal stopped the run,
   /// answers (what the terminal ends with), analyses with one object per analysis, reductions with one per meshed body.
   ///
   /// Analyses fill `analyses` ("modes", "quasi_static_rolling", ...) with plain numbers, lists and objects
@@ -34,15 +34,18 @@ namespace vibrocontact
     std::set<std::string> finished;
     /// signal that stopped the run (SIGTERM, SIGINT), 0: none; exit code 128 + signal
     int stopped_by = 0;
-    /// what did not converge: the analysis, empty for the run as a whole, and a sentence; exit code 2
-    struct Failure
+    /// A sentence about what an analysis has found; empty: about the run as a whole.
+    struct Verdict
     {
       std::string analysis, message;
     };
-    std::vector<Failure> failures;
+    /// what did not converge, exit code 2; what did but is doubtful. Come by refuse() and doubt() (output/verdict.h).
+    std::vector<Verdict> failures, warnings;
     bool converged() const { return failures.empty(); }
-    /// what did converge but is doubtful, a sentence with numbers each
-    std::vector<std::string> warnings;
+    /// the analysis that runs, which verdicts are of
+    std::string running;
+    /// Forgets an analysis that is computed again: that it came to its end, and what was said of it.
+    void forget(const std::string &analysis);
     /// part of wall_s that the figures took; negative: none were drawn [s]
     double figures_seconds = -1;
     /// per rank, at the end of the run; empty before [MB]
@@ -55,8 +58,11 @@ namespace vibrocontact
   /// Text of results.json. @throws dealii::ExceptionBase if a number is not finite
   std::string results_text(const Results &results, double wall_seconds);
 
+  /// What the first rank has found alone, for all. Collective.
+  void take_from_first_rank(nlohmann::ordered_json &object);
+
   /// What a results.json says about analyses that came to their end, for a run that goes on where it ended:
-  /// the failures of others are left out, they are done again.
+  /// what was said of others is left out, they are done again.
   /// @throws InputError if it is no such text
   Results results_of_text(const std::string &text);
 

@@ -67,7 +67,8 @@ namespace vibrocontact
     std::function<std::unique_ptr<SweptAnalysis>(const AnalysisRun &)> swept = {};
     /// Cases about that of the file that it asks for beside its run, which `swept` takes; none. May be null.
     std::optional<Variations> (*variations)(const Parameters &) = nullptr;
-    /// Whether it begins where one that continues has ended, so that a resumed run computes it again. May be null.
-    bool (*goes_on)(const Parameters &) = nullptr;
+    /// The analysis that it begins at the end of; empty: none. That one continues, so that a resumed run computes this one again. May
+    /// be null.
+    std::string (*begins_after)(const Parameters &) = nullptr;
   };
 } // namespace vibrocontact

@@ -15,6 +15,9 @@ namespace vibrocontact
   /// node, or bodies all of whose flexibility has mass (an oscillator) where nothing else yields.
   bool contact_points_have_mass(const Parameters &parameters);
 
-  /// Whether a body yields at contact points beside its modes.
+  /// Whether a body of a contact yields there beside its modes.
+  bool a_body_yields_in(const Parameters &parameters, unsigned int contact);
+
+  /// Whether one does in any contact.
   bool yields_beside_modes(const Parameters &parameters);
 } // namespace vibrocontact

@@ -8,6 +8,9 @@
 
 namespace vibrocontact
 {
+  /// Before anything is made. @throws InputError if `--resume` finds no run in the output folder. Collective.
+  void check_earlier_run(const std::string &folder);
+
   /// What `--resume` finds in the output folder: the results of the analyses that came to their end there.
   /// Marches go on from their checkpoints (marching/march_checkpoint.h). Reads only.
   ///

@@ -31,13 +31,11 @@ namespace vibrocontact
                                  " pole pairs, misses E = " + number_text(best->worst()) +
                                  " of the worst entry";
       if (best->worst() < misses_most)
-        refuse("identification",
-               missed + ", and that many pairs would leave only " + number_text(best->error_of_noise) +
+        refuse(missed + ", and that many pairs would leave only " + number_text(best->error_of_noise) +
                    " of noise; ask for fewer in Identification/Numbers of pole pairs, or give more lines.",
                results);
       else
-        refuse("identification",
-               missed + "; they are noise, or need more in Identification/Numbers of pole pairs or a "
+        refuse(missed + "; they are noise, or need more in Identification/Numbers of pole pairs or a "
                         "narrower band.",
                results);
     }
@@ -56,13 +54,13 @@ namespace vibrocontact
     const DataJudgement &judgement = measured.judgement;
     run_log().value("lines on which forces gain energy", 100 * judgement.gaining, "%");
     if (!judgement.complaint.empty())
-      run_log().warning("The data " + judgement.complaint + ".");
+      doubt("The data " + judgement.complaint + ".", results);
     const std::vector<Identification> fits = identify(own, data, print_fit);
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (unsigned int k = 0; k < fits.size(); ++k)
     {
       if (!fits[k].target_reached)
-        refuse("identification", missed_target(fits[k], own), results);
+        refuse(missed_target(fits[k], own), results);
       nlohmann::ordered_json one = identification_json(fits[k], data);
       const std::string number = "_" + std::to_string(k);
       one["poles"] = "identification_poles" + number + ".csv";

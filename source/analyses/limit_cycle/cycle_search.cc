@@ -103,7 +103,7 @@ namespace vibrocontact
 
   void CycleSearch::refuse(const std::string &sentence) const
   {
-    vibrocontact::refuse("limit cycle", sentence, on.results);
+    vibrocontact::refuse(sentence, on.results);
   }
 
   CycleSearch prepare_search(const AnalysisRun &on, const PairInTime &in_time)

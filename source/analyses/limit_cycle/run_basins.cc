@@ -64,13 +64,11 @@ namespace vibrocontact
     const CycleScene &scene = search.scene;
     const BasinParameters &own = search.own().basins;
     if (cycles.size() < 2)
-      return refuse("limit cycle",
-                    std::string("Limit cycle/Basins/Starts asks for motions between two cycles, but ") +
+      return refuse(std::string("Limit cycle/Basins/Starts asks for motions between two cycles, but ") +
                         (cycles.empty() ? "none" : "one") + " was found that converged.",
                     on.results);
     if (std::all_of(cycles.begin(), cycles.end(), [](const CycleOfBasin &one) { return one.is_unstable; }))
       return refuse(
-          "limit cycle",
           "Limit cycle/Basins/Starts asks which cycle wins, but small disturbances grow out of all that "
           "were found, so that none can: another motion does, which a transient shows.",
           on.results);
@@ -109,7 +107,7 @@ namespace vibrocontact
             paths.push_back(path);
             basins["starts"].push_back(path_json(path, cycles));
             if (!path.winner)
-              refuse("limit cycle", undecided_text(path, cycles, own), on.results);
+              refuse(undecided_text(path, cycles, own), on.results);
           }
           for (const BasinBorder &border : between.borders)
             basins["borders"].push_back(border_json(border, cycles));
@@ -120,8 +118,7 @@ namespace vibrocontact
     }
     catch (const ConvergenceError &error)
     {
-      refuse("limit cycle",
-             std::string("The basins of the limit cycles were not found: ") + error.what() + ".", on.results);
+      refuse(std::string("The basins of the limit cycles were not found: ") + error.what() + ".", on.results);
     }
     on_first_rank(
         [&]

@@ -336,10 +336,10 @@ namespace vibrocontact
                         {"loudest_estimated_error_amplitude",
                          "/limit_cycle_search/loudest/estimated_error_amplitude"}}),
             nullptr,
-            [](const Parameters &parameters)
+            [](const Parameters &parameters) -> std::string
             {
-              return parameters.limit_cycle.starts_from_transient() &&
-                     parameters.limit_cycle.transient_folder.empty();
+              const LimitCycleParameters &own = parameters.limit_cycle;
+              return own.starts_from_transient() && own.transient_folder.empty() ? "transient" : "";
             }};
   }
 } // namespace vibrocontact

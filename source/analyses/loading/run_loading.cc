@@ -4,6 +4,7 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/output/contact_patch.h>
+#include <vibrocontact/output/verdict.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/swept_runs.h>
@@ -74,12 +75,9 @@ namespace vibrocontact
     all.update(loading_json(history, result));
     on_first_rank([&] { loading_table(all["steps"]).write(folder + "/loading.csv"); });
     if (!result.failure.empty())
-    {
-      const std::string text = "Step " + std::to_string(result.steps_done + 1) + " of " +
-                               std::to_string(n_steps) + " of quasi-static loading: " + result.failure;
-      results.failures.push_back({"quasi-static loading", text});
-      run_log().warning(text);
-    }
+      refuse("Step " + std::to_string(result.steps_done + 1) + " of " + std::to_string(n_steps) +
+                 " of quasi-static loading: " + result.failure,
+             results);
     print(result);
   }
 

@@ -57,7 +57,7 @@ namespace vibrocontact
       json["unseen_road_share"] = result.unseen_share();
     if (!is_whole)
       return;
-    const auto fail = [&](const std::string &text) { refuse("modal convolution", text, results); };
+    const auto fail = [&](const std::string &text) { refuse(text, results); };
     const std::string shorter =
         parameters.is_event_located() ? "" : " Take a shorter Modal convolution/Time step.";
     const bool forgets = parameters.is_convolution() && parameters.memory > 0;

@@ -29,7 +29,7 @@ namespace vibrocontact
                                      const ContactSolverParameters &solver, const BodyInContact &model,
                                      const Road &road, const RoadLaws &laws)
       : parameters(parameters), model(model), road(road), n_points(road.n_points()),
-        time_step(parameters.time_step), last_step(std::lround(parameters.end_time / parameters.time_step)),
+        time_step(parameters.time_step), last_step(steps_until(parameters.end_time, parameters.time_step)),
         law(laws.normal), was_closed(n_points, 0), has_friction(model.n_rows() > n_points)
   {
     results.impulse.assign(n_points, 0.);

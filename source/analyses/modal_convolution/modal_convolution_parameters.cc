@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/modal_convolution/modal_convolution_parameters.h>
 #include <vibrocontact/base/named_table.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/propagators/propagator.h>
 
 namespace vibrocontact
@@ -50,7 +51,8 @@ namespace vibrocontact
                       "Road/Sliding speed. Units: none.",
                       Bool());
     prm.add_parameter("History interval", history_interval,
-                      "Distance of the lines of the histories, 0: every step. Units: s.", Double(0, 1e9));
+                      "Distance of the lines of the histories, in whole steps, 0: every step. Units: s.",
+                      Double(0, 1e9));
     prm.add_parameter("Checkpoint interval", checkpoint_interval,
                       "Wall time between checkpoints, 0: only the one at the end. Units: s.", Double(0, 1e9));
     prm.add_parameter(
@@ -87,6 +89,10 @@ namespace vibrocontact
       throw InputError("Modal convolution/End time is before the first Time step: give a later one.");
     if (end_time / time_step > 1e12)
       throw InputError("Modal convolution/Time step asks for more than 1e12 steps: enlarge it.");
+    if (history_interval > end_time)
+      throw InputError("Modal convolution/History interval is " + number_text(history_interval) +
+                       " s, but Modal convolution/End time is " + number_text(end_time) +
+                       " s, so that the histories would hold the first instant alone: make it shorter.");
     signals.check("Modal convolution", std::max(time_step, history_interval), end_time);
     if (memory > 0 && memory < time_step)
       throw InputError(

@@ -139,6 +139,7 @@ namespace vibrocontact
           write_third_octaves(forces[0].signal, folder + "/" + bands);
           json["third_octaves"] = bands;
         });
+    take_from_first_rank(json);
     print(own, result);
     judge_road_march(own, motion, body.is_passive, is_whole, json, results);
     if (parameters.comparison.any() && is_whole && results.stopped_by == 0)

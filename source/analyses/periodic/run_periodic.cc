@@ -6,6 +6,7 @@
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/output/verdict.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/swept_runs.h>
 
@@ -123,9 +124,9 @@ namespace vibrocontact
     for (unsigned int p = 0, row = 0; p < body.n_points(); ++p, row += body.rows_per_point)
       is_rigid_at_mass = is_rigid_at_mass || (law[p].is_rigid() && !(body.residual(row, row) > 0));
     if (is_rigid_at_mass)
-      run_log().warning(
-          "the rigid stop meets a contact point with mass: its forces do not converge with the number of "
-          "functions; give the body a massless contact node or keep fewer modes");
+      doubt("The rigid stop meets a contact point with mass: its forces do not converge with the number of "
+            "functions; give the body a massless contact node or keep fewer modes.",
+            results);
     const std::vector<double> friction = friction_of_points(parameters);
 
     std::optional<PeriodicReference> reference;
@@ -140,8 +141,7 @@ namespace vibrocontact
       }
       catch (const ConvergenceError &error)
       {
-        results.failures.push_back({"periodic", std::string("The reference in time: ") + error.what()});
-        run_log().warning(results.failures.back().message);
+        refuse(std::string("The reference in time: ") + error.what(), results);
       }
     }
 
@@ -180,13 +180,13 @@ namespace vibrocontact
         solved.failed_phases = solved.n_phases;
         reason = error.what();
       }
-      if (!solved.solution.converged && json.empty())
+      if (!solved.solution.converged)
       {
         std::ostringstream text;
         text << "The periodic motion by " << settings.n_functions << " functions " << settings.trial << ":"
              << settings.weighting << " did not converge, its residual is " << solved.solution.residual
              << ": " << reason;
-        results.failures.push_back({"periodic", text.str()});
+        refuse(text.str(), results);
       }
       tell(solved);
       if (solved.solution.converged)

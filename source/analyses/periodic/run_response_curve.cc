@@ -2,6 +2,7 @@
 #include <vibrocontact/analyses/periodic/run_response_curve.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/output/verdict.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -120,10 +121,10 @@ namespace vibrocontact
           solved.curve = from_both_ends(solved.curve, rest);
       }
       tell(solved, unit);
-      if (!solved.curve.complete && k == 0)
-        results.failures.push_back({"response", "The response curve is not complete after " +
-                                                    std::to_string(solved.curve.points.size()) +
-                                                    " points: " + solved.curve.reason + "."});
+      if (!solved.curve.complete)
+        refuse("The response curve is not complete after " + std::to_string(solved.curve.points.size()) +
+                   " points: " + solved.curve.reason + ".",
+               results);
       const std::string table = k == 0 ? "response.csv" : "response_" + std::to_string(k) + ".csv";
       on_first_rank([&] { write_response_table(solved, folder + "/" + table); });
       (k == 0 ? main : variants.emplace_back()) = response_json(solved, table);

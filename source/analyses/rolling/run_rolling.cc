@@ -10,6 +10,7 @@
 #include <vibrocontact/output/contact_patch.h>
 #include <vibrocontact/output/field_writer.h>
 #include <vibrocontact/output/surface_fields.h>
+#include <vibrocontact/output/verdict.h>
 #include <vibrocontact/run/entries_of_contact.h>
 #include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/swept_runs.h>
@@ -59,22 +60,19 @@ namespace vibrocontact
                << " iterations.";
         else
           text << result.failure;
-        results.failures.push_back({"quasi-static rolling", text.str()});
+        refuse(text.str(), results);
+        return;
       }
-      else if (result.contact_points == 0)
-      {
+      if (result.contact_points == 0)
         text << "Case " << k << ": the bodies do not touch.";
-        one["warning"] = text.str();
-      }
       else if (result.contact_points < coarse_below)
-      {
         text << "Case " << k << ": only " << result.contact_points
              << (result.contact_points == 1 ? " point touches" : " points touch")
              << ", too few for the numbers to mean much; give finer contact points or a larger load.";
-        one["warning"] = text.str();
-      }
-      if (!text.str().empty())
-        run_log().warning(text.str());
+      else
+        return;
+      one["warning"] = text.str();
+      doubt(text.str(), results);
     }
 
     /// How far the forces of the equilibrium push the hub against its suspension, along x, y, z [m]; null: no spring.

@@ -8,6 +8,7 @@
 #include <vibrocontact/base/table.h>
 #include <vibrocontact/coupled_bodies/all_roots.h>
 #include <vibrocontact/coupled_bodies/followed_root.h>
+#include <vibrocontact/output/verdict.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
@@ -225,21 +226,22 @@ namespace vibrocontact
           if (is_of_derivative(k) && !result.has_change)
             throw ConvergenceError("contact points open or close within the step of the derivative");
           for (const std::string &label : result.without)
-            run_log().warning("No derivatives of " + label +
-                              ", which decays: the contact's own equations do not have this root.");
+            doubt("No derivatives of " + label +
+                      ", which decays: the contact's own equations do not have this root.",
+                  on.results);
           for (unsigned int r = 0; r < result.followed.size(); ++r)
             if (is_of_derivative(k) && !result.followed[r])
-              run_log().warning(case_text(sweep, sweep.cases[k]) + ": " + results.front().labels[r] +
-                                ", which decays, cannot be followed, so that its derivative has no "
-                                "difference beside it and is left out.");
+              doubt(case_text(sweep, sweep.cases[k]) + ": " + results.front().labels[r] +
+                        ", which decays, cannot be followed, so that its derivative has no "
+                        "difference beside it and is left out.",
+                    on.results);
         }
         catch (const std::exception &error)
         {
           results.resize(k);
           results.emplace_back();
           const std::string text = case_text(sweep, sweep.cases[k]) + ": " + error.what();
-          run_log().warning(text);
-          on.results.failures.push_back({"stability", "Derivatives: " + text});
+          refuse("Derivatives: " + text, on.results);
         }
       }
 

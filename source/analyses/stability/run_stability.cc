@@ -5,6 +5,7 @@
 #include <vibrocontact/analyses/stability/unstable_shapes.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/coupled_bodies/finite_element_pair.h>
 #include <vibrocontact/output/verdict.h>
 #include <vibrocontact/reduction/attachment_inertia.h>
@@ -12,6 +13,8 @@
 #include <vibrocontact/run/pair_in_time.h>
 #include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/say_residual_damping.h>
+
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -97,6 +100,36 @@ namespace vibrocontact
     return frequencies;
   }
 
+  namespace
+  {
+    /// What grows beyond the modes kept of bodies with elements is made by what they leave out.
+    void judge_reach_of_modes(const Parameters &parameters, const ContactPair &pair,
+                              const std::vector<StabilityResult> &all, Results &results)
+    {
+      double reach = 0;
+      for (unsigned int k = 0; k < pair.n_modes(); ++k)
+        if (parameters.scene.bodies[pair.body[k] - 1].is_meshed())
+          reach = std::max(reach, pair.omega[k] / (2 * dealii::numbers::PI));
+      if (reach == 0)
+        return;
+      results.analyses["stability"]["modes_reach_Hz"] = reach;
+      std::size_t most = 0;
+      for (const StabilityResult &one : all)
+      {
+        const auto grown = one.unstable();
+        most = std::max<std::size_t>(most, std::count_if(grown.begin(), grown.end(),
+                                                         [reach](const StabilityRoot *root)
+                                                         { return root->frequency > reach; }));
+      }
+      if (most > 0)
+        doubt(std::to_string(most) + (most == 1 ? " root that grows lies" : " roots that grow lie") +
+                  " above " + number_text(reach) +
+                  " Hz, the highest of the modes kept, which do not carry it: give a Stability/Upper "
+                  "frequency below, or keep more modes.",
+              results);
+    }
+  } // namespace
+
   void run_stability(const Parameters &parameters, const MeshedBodies &bodies,
                      const std::optional<MeasuredData> &measured, const std::string &folder, Results &results)
   {
@@ -124,9 +157,16 @@ namespace vibrocontact
     RollingParameters rolling = parameters.rolling;
     rolling.hub = parameters.hub();
     run_log().value("hub", hub_text(rolling.hub));
+    const auto failed = [&](const std::string &why)
+    {
+      refuse(why, results);
+      progress.advance();
+    };
     const std::vector<StabilityResult> all =
         stability(parameters.stability, rolling, parameters.contacts, parameters.contact_solver, pair,
-                  finished, roots_about, loss ? &*loss : nullptr);
+                  finished, roots_about, loss ? &*loss : nullptr, failed);
+    if (all.empty())
+      return;
     StabilityOutcome outcome;
     outcome.loss = parameters.stability.loss;
     outcome.results = all;
@@ -136,7 +176,9 @@ namespace vibrocontact
     if (!in_time.roots.is_null())
       results.analyses["stability"]["roots_beside_rail"] = in_time.roots;
     if (!in_time.wrong.empty())
-      refuse("stability", in_time.wrong, results);
+      refuse(in_time.wrong, results);
+    if (parameters.stability.is_reduced())
+      judge_reach_of_modes(parameters, pair, all, results);
     if (loss)
       say_hysteretic_rests(parameters, results);
     else if (parameters.stability.is_reduced())

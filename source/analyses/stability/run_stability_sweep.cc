@@ -11,6 +11,7 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/run_communicator.h>
 #include <vibrocontact/base/wall_clock.h>
+#include <vibrocontact/output/verdict.h>
 #include <vibrocontact/run/say_residual_damping.h>
 
 #include <deal.II/base/mpi.h>
@@ -117,9 +118,10 @@ namespace vibrocontact
           std::ostringstream text;
           for (const double position : sweep.left_out)
             text << (position == sweep.left_out.front() ? "" : ", ") << 1e3 * position;
-          run_log().warning("Contact/Lateral position: left out since the contact point is not on the tread, "
-                            "two rows of points from its ends: " +
-                            text.str() + " mm.");
+          doubt("Contact/Lateral position: left out since the contact point is not on the tread, "
+                "two rows of points from its ends: " +
+                    text.str() + " mm.",
+                on.results);
         }
       }
 
@@ -171,13 +173,13 @@ namespace vibrocontact
         const std::string text = case_text(sweep, one);
         const auto leave_out = [&](const std::string &reason)
         {
-          run_log().warning(text + " is left out. " + reason);
+          doubt(text + " is left out. " + reason, on.results);
           outcome.left_out.emplace_back(one.values, reason);
         };
         const auto fail = [&](const std::string &reason)
         {
-          leave_out(reason);
-          on.results.failures.push_back({"stability", text + ": " + reason});
+          refuse(text + " is left out: " + reason, on.results);
+          outcome.left_out.emplace_back(one.values, reason);
         };
         try
         {

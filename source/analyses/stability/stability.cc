@@ -1,5 +1,6 @@
 #include <vibrocontact/analyses/stability/stability.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/wall_clock.h>
 #include <vibrocontact/coupled_bodies/all_roots.h>
 #include <vibrocontact/coupled_bodies/suspended_pair.h>
@@ -154,28 +155,42 @@ namespace vibrocontact
   void stability_equilibria(const RollingParameters &rolling, const ContactSections &contact,
                             const ContactSolverParameters &solver, const ContactPair &pair,
                             const std::shared_ptr<const ContactOperator> &A,
-                            const std::function<void(StabilityResult &&, const RollingEquilibrium &)> &found)
+                            const std::function<void(StabilityResult &&, const RollingEquilibrium &)> &found,
+                            const FailedCase &failed)
   {
     unsigned int number = 0;
     const HubKind &hub = hub_kind(rolling.hub);
     const auto take = [&](const RollingResult &equilibrium, const ContactProblem &problem)
     {
-      if (!equilibrium.solution.converged)
-        throw ConvergenceError("The equilibrium of case " + std::to_string(number) +
-                               " of the stability analysis did not converge. " + equilibrium.failure);
-      ++number;
-      StabilityResult result;
-      result.rolling_case = equilibrium.rolling_case;
-      result.contact_points = equilibrium.contact_points;
-      result.stick_points = equilibrium.stick_points;
-      result.normal_force = equilibrium.normal_force;
-      result.approach = equilibrium.solution.approach;
-      result.contacts = equilibrium.contacts;
-      result.hub = rolling.hub;
-      found(std::move(result),
-            rolling_equilibrium(equilibrium.solution, problem.friction_law, problem.normal_law,
-                                rolling.creepage.speed,
-                                hub.keeps_force || (!hub.exists() && problem.force_given())));
+      const unsigned int own_number = number++;
+      try
+      {
+        if (!equilibrium.solution.converged)
+          throw ConvergenceError("The equilibrium did not converge: " +
+                                 (equilibrium.failure.empty()
+                                      ? "residual " + number_text(equilibrium.solution.residual) + " after " +
+                                            std::to_string(equilibrium.solution.iterations) +
+                                            " iterations; try less friction, or another load."
+                                      : equilibrium.failure));
+        StabilityResult result;
+        result.rolling_case = equilibrium.rolling_case;
+        result.contact_points = equilibrium.contact_points;
+        result.stick_points = equilibrium.stick_points;
+        result.normal_force = equilibrium.normal_force;
+        result.approach = equilibrium.solution.approach;
+        result.contacts = equilibrium.contacts;
+        result.hub = rolling.hub;
+        found(std::move(result),
+              rolling_equilibrium(equilibrium.solution, problem.friction_law, problem.normal_law,
+                                  rolling.creepage.speed,
+                                  hub.keeps_force || (!hub.exists() && problem.force_given())));
+      }
+      catch (const ConvergenceError &error)
+      {
+        if (!failed)
+          throw;
+        failed("Case " + std::to_string(own_number) + " of the stability analysis: " + error.what());
+      }
     };
     quasi_static_rolling(
         rolling, contact, solver, static_interface(pair),
@@ -186,7 +201,8 @@ namespace vibrocontact
                                          const RollingParameters &rolling, const ContactSections &contact,
                                          const ContactSolverParameters &solver, const ContactPair &pair,
                                          const std::function<void(const StabilityResult &)> &finished,
-                                         const RootFinder &roots_about, const HystereticLoss *loss)
+                                         const RootFinder &roots_about, const HystereticLoss *loss,
+                                         const FailedCase &failed)
   {
     const CreepScheme &scheme = find_creep_scheme(contact.first().creep_scheme);
     std::vector<StabilityResult> results;
@@ -217,7 +233,7 @@ namespace vibrocontact
       results.push_back(std::move(result));
       finished(results.back());
     };
-    stability_equilibria(rolling, contact, solver, pair, nullptr, linearise);
+    stability_equilibria(rolling, contact, solver, pair, nullptr, linearise, failed);
     return results;
   }
 } // namespace vibrocontact

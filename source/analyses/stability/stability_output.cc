@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <limits>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -342,6 +343,34 @@ namespace vibrocontact
       return "";
     }
 
+    /// Roots of a case that grow, of those that the modes kept carry or of those beyond, the fastest first.
+    std::vector<answer_parts::Json> growing_roots(const answer_parts::Json &one, const double reach,
+                                                  const bool carried)
+    {
+      using namespace answer_parts;
+      std::vector<Json> roots;
+      for (const Json &root : list(one, "unstable"))
+        if ((number(root, "frequency_Hz") <= reach) == carried)
+          roots.push_back(root);
+      std::stable_sort(roots.begin(), roots.end(),
+                       [](const Json &a, const Json &b)
+                       { return number(a, "growth_1_s") > number(b, "growth_1_s"); });
+      return roots;
+    }
+
+    /// Of all cases: what the modes kept do not carry.
+    void say_what_grows_beyond_modes(const answer_parts::Json &cases, const double reach,
+                                     answer_parts::Lines &lines)
+    {
+      std::size_t most = 0;
+      for (const answer_parts::Json &one : cases)
+        most = std::max(most, growing_roots(one, reach, false).size());
+      if (most > 0)
+        lines.push_back(
+            answer_parts::text("beyond the modes kept, which reach %.6g Hz, %s%zu more %s, not to be trusted",
+                               reach, cases.size() > 1 ? "up to " : "", most, most == 1 ? "grows" : "grow"));
+    }
+
     /// Of all cases: what Upper frequency hides.
     void say_what_grows_above(const answer_parts::Json &cases, answer_parts::Lines &lines)
     {
@@ -362,25 +391,30 @@ namespace vibrocontact
     const Json &cases = list(stability, "cases");
     if (cases.empty())
       return lines;
+    const double reach = stability.value("modes_reach_Hz", std::numeric_limits<double>::max());
     if (cases.size() > 1 || !list(stability, "left_out").empty())
     {
       std::size_t n_unstable = 0;
-      const Json *fastest = nullptr, *fastest_case = nullptr, *nearest = nullptr, *nearest_case = nullptr;
+      Json fastest;
+      const Json *fastest_case = nullptr, *nearest = nullptr, *nearest_case = nullptr;
       for (const Json &one : cases)
       {
-        const Json &roots = list(one, "unstable");
+        const std::vector<Json> roots = growing_roots(one, reach, true);
         n_unstable += !roots.empty();
-        const Json *const here = largest(roots, "growth_1_s", 1);
-        if (here && (!fastest || number(*here, "growth_1_s") > number(*fastest, "growth_1_s")))
-          std::tie(fastest, fastest_case) = std::make_pair(here, &one);
+        if (!roots.empty() &&
+            (!fastest_case || number(roots[0], "growth_1_s") > number(fastest, "growth_1_s")))
+        {
+          fastest = roots[0];
+          fastest_case = &one;
+        }
         const auto near = one.find("nearest");
         if (near != one.end() &&
             (!nearest || number(*near, "divergence_rate") > number(*nearest, "divergence_rate")))
           std::tie(nearest, nearest_case) = std::make_pair(&*near, &one);
       }
       lines.push_back(text("%zu of %zu cases have roots that grow", n_unstable, cases.size()));
-      if (fastest)
-        lines.push_back("the fastest: " + root_text(*fastest) + case_text(*fastest_case));
+      if (fastest_case)
+        lines.push_back("the fastest: " + root_text(fastest) + case_text(*fastest_case));
       else if (nearest)
         lines.push_back("nearest to growing: " + root_text(*nearest) + case_text(*nearest_case));
       if (const std::string first = first_that_grows(cases); !first.empty())
@@ -389,21 +423,20 @@ namespace vibrocontact
       if (most && list(stability, "swept_entries") == Json{ParameterSweep::lateral_position})
         lines.push_back("averaged over the positions: " +
                         text("growth %+.4g 1/s, ", number(*most, "growth_1_s")) + word(*most, "root"));
+      say_what_grows_beyond_modes(cases, reach, lines);
       say_what_grows_above(cases, lines);
       if (const std::size_t n = list(stability, "left_out").size(); n > 0)
         lines.push_back(std::to_string(n) + (n == 1 ? " case is" : " cases are") +
                         " left out, see left_out in results.json");
       return lines;
     }
-    std::vector<Json> roots = list(cases[0], "unstable").get<std::vector<Json>>();
-    std::stable_sort(roots.begin(), roots.end(),
-                     [](const Json &a, const Json &b)
-                     { return number(a, "growth_1_s") > number(b, "growth_1_s"); });
+    const std::vector<Json> roots = growing_roots(cases[0], reach, true);
     if (roots.empty())
     {
       lines.push_back("nothing grows");
       if (cases[0].contains("nearest"))
         lines.push_back("nearest to growing: " + root_text(cases[0]["nearest"]));
+      say_what_grows_beyond_modes(cases, reach, lines);
       say_what_grows_above(cases, lines);
       return lines;
     }
@@ -413,6 +446,7 @@ namespace vibrocontact
     for (std::size_t k = 0; k < std::min(roots.size(), most_said); ++k)
       lines.push_back(root_text(roots[k]));
     say_more(roots.size(), "in stability.csv", lines);
+    say_what_grows_beyond_modes(cases, reach, lines);
     say_what_grows_above(cases, lines);
     return lines;
   }

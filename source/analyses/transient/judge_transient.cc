@@ -62,8 +62,7 @@ namespace vibrocontact
       if (!(fast > most_share * all) || fast <= least_energy * result.energy.available)
         return;
       const double period = 2 * dealii::numbers::PI / omega[strongest];
-      refuse("transient",
-             "The steps of the transient are too long for its motion: modes with fewer than " +
+      refuse("The steps of the transient are too long for its motion: modes with fewer than " +
                  number_text(least_steps) + " steps in a period have " + percent_text(fast / all, 0) +
                  " of the kinetic energy in the second half of the run, the strongest, at " +
                  number_text(1 / period) + " Hz, has " + number_text(period / step) +
@@ -105,8 +104,7 @@ namespace vibrocontact
     if (!(result.energy.open() <= most_open_energy * result.energy.available))
     {
       if (result.converged)
-        refuse("transient", open_energy(result.energy, "The time step is too long: take a smaller one."),
-               results);
+        refuse(open_energy(result.energy, "The time step is too long: take a smaller one."), results);
       else
         doubt(open_energy(result.energy, "The march ended early: mend what ended it first."), results);
     }

@@ -294,7 +294,7 @@ namespace vibrocontact
     if (!prepared.roots.is_null())
       results.analyses["transient"]["roots_beside_rail"] = prepared.roots;
     if (!prepared.wrong.empty())
-      refuse("transient", prepared.wrong, results);
+      refuse(prepared.wrong, results);
     if (hub.place > 0)
       results.analyses["transient"]["hub_displacement_m"] = hub.place;
     const Creepage creepage = drive(state.time).creepage;
@@ -311,6 +311,7 @@ namespace vibrocontact
           evaluate_signals(parameters.signals, run_recorders, probes, pair.interface.contacts, folder,
                            results.analyses["transient"]);
         });
+    take_from_first_rank(results.analyses["transient"]);
     print(result);
     say_residual_damping(parameters, *prepared.prepared, pair,
                          dominant_frequencies(results.analyses["transient"]), "transient", results);

@@ -96,13 +96,17 @@ namespace vibrocontact
     }
   };
 
+  /// Told of a case that has no equilibrium or no roots, in a sentence.
+  using FailedCase = std::function<void(const std::string &)>;
+
   /// The rolling equilibria of section Rolling as stability takes them: `found` gets each with a result that has all but roots.
   /// @param A rolling_operator() of the pair at that speed, which many calls on one pair share; null: made here
-  /// @throws ConvergenceError if one does not converge
+  /// @param failed is told of those that do not converge; null: ConvergenceError is thrown
   void stability_equilibria(const RollingParameters &rolling, const ContactSections &contact,
                             const ContactSolverParameters &solver, const ContactPair &pair,
                             const std::shared_ptr<const ContactOperator> &A,
-                            const std::function<void(StabilityResult &&, const RollingEquilibrium &)> &found);
+                            const std::function<void(StabilityResult &&, const RollingEquilibrium &)> &found,
+                            const FailedCase &failed = {});
   std::shared_ptr<const ContactOperator> operator_of_stability(const ContactPair &pair,
                                                                const ContactSections &contact, double speed);
 
@@ -114,12 +118,12 @@ namespace vibrocontact
   /// of the pair, or by `roots_about` unless that is empty. The equilibria are those of the pair in any case:
   /// all models have the same static compliance.
   /// @param loss of the pair; null: its damping ratios are all that damps
-  /// @throws InputError if an equilibrium is not in full sliding and sticking points are not asked for;
-  /// ConvergenceError if an equilibrium does not converge
+  /// @param failed is told of cases that come to nothing, which are not among the results; null: ConvergenceError is thrown
+  /// @throws InputError if an equilibrium is not in full sliding and sticking points are not asked for
   std::vector<StabilityResult> stability(const StabilityParameters &parameters,
                                          const RollingParameters &rolling, const ContactSections &contact,
                                          const ContactSolverParameters &solver, const ContactPair &pair,
                                          const std::function<void(const StabilityResult &)> &finished,
                                          const RootFinder &roots_about = {},
-                                         const HystereticLoss *loss = nullptr);
+                                         const HystereticLoss *loss = nullptr, const FailedCase &failed = {});
 } // namespace vibrocontact
