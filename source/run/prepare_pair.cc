@@ -4,7 +4,10 @@
 #include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/road_body.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
+#include <limits>
 
 namespace vibrocontact
 {
@@ -46,6 +49,15 @@ namespace vibrocontact
       if (contact.above == number || contact.below == number)
         return contact_rows(on_road.body, body.name, contact.grid, on_road.shapes);
     throw dealii::ExcInternalError();
+  }
+
+  double reach_of_modes(const Parameters &parameters, const ContactPair &pair)
+  {
+    double reach = 0;
+    for (unsigned int k = 0; k < pair.n_modes(); ++k)
+      if (parameters.scene.bodies[pair.body[k] - 1].is_meshed())
+        reach = std::max(reach, pair.omega[k] / (2 * dealii::numbers::PI));
+    return reach > 0 ? reach : std::numeric_limits<double>::infinity();
   }
 
   std::vector<ExactReceptance> exact_receptances(const MeshedBodies &bodies, const PlacedContacts &contacts,

@@ -215,7 +215,14 @@ namespace vibrocontact
                                 : results.converged()   ? "converged"
                                                         : "not converged");
       run_log().value("wall time", time_text(seconds_since(begin)));
-      const std::vector<Answer> said = answers(kinds_of_answers(analyses), results.analyses, record.folder);
+      std::vector<Answer> said = answers(kinds_of_answers(analyses), results.analyses, record.folder);
+      if (results.stopped_by != 0)
+        for (const Analysis &analysis : analyses)
+          if (results.finished.count(analysis.type.name) == 0)
+            for (const AnswerKind &kind : kinds_of_answers({analysis}))
+              for (Answer &answer : said)
+                if (answer.analysis == kind.analysis)
+                  answer.lines.push_back("INTERRUPTED: this is as far as it came");
       for (const Answer &answer : said)
       {
         run_log().block("Answer of " + answer.analysis);

@@ -27,6 +27,10 @@ namespace vibrocontact
                                              const std::optional<MeasuredData> &measured,
                                              unsigned int number);
 
+  /// The highest frequency of the modes kept of bodies with elements [Hz]: above, motions of the pair are made by what they leave out.
+  /// No bound: there are no such bodies.
+  double reach_of_modes(const Parameters &parameters, const ContactPair &pair);
+
   /// Of its periodic rails, in the rows of the contacts; they refer to `bodies`.
   /// @param with_poles beside TrackBody::moving(), from whose poles roots are sought; false: beside TrackBody::at_rest()
   std::vector<ExactReceptance> exact_receptances(const MeshedBodies &bodies, const PlacedContacts &contacts,

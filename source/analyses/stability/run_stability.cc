@@ -14,9 +14,8 @@
 #include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/say_residual_damping.h>
 
-#include <deal.II/base/numbers.h>
-
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -106,11 +105,8 @@ namespace vibrocontact
     void judge_reach_of_modes(const Parameters &parameters, const ContactPair &pair,
                               const std::vector<StabilityResult> &all, Results &results)
     {
-      double reach = 0;
-      for (unsigned int k = 0; k < pair.n_modes(); ++k)
-        if (parameters.scene.bodies[pair.body[k] - 1].is_meshed())
-          reach = std::max(reach, pair.omega[k] / (2 * dealii::numbers::PI));
-      if (reach == 0)
+      const double reach = reach_of_modes(parameters, pair);
+      if (!std::isfinite(reach))
         return;
       results.analyses["stability"]["modes_reach_Hz"] = reach;
       std::size_t most = 0;
