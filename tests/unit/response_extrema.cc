@@ -83,8 +83,9 @@ TEST(ResponseExtrema, AreThoseOfTheModesBetweenFewFrequencies)
     for (std::size_t k = 0; k < maxima.size(); ++k)
     {
       const double own = own_frequencies[k];
-      EXPECT_NEAR(maxima[k].frequency / own, 1, 1e-7) << count;
-      EXPECT_NEAR(maxima[k].magnitude / std::abs(receptance(own)), 1, 1e-5) << count;
+      // the other modes shift a maximum by 1e-7
+      EXPECT_NEAR(maxima[k].frequency / own, 1, 1e-6) << count;
+      EXPECT_NEAR(maxima[k].magnitude / std::abs(receptance(own)), 1, 2e-4) << count;
     }
     EXPECT_EQ(found.size(), 2 * maxima.size() - 1) << count;
   }
