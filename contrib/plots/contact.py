@@ -74,7 +74,7 @@ def plot_centre_line(folder, k, case, contact_table=None):
     figure, axis = plt.subplots(figsize=(6, 3.8))
     slip = np.hypot(patch["slip_x_m_s"], patch["slip_y_m_s"])[line]
     section = str(k).rpartition("_")[0] or "Contact"
-    limit = case["friction"] * friction_factor(folder, slip, section) * patch["pressure_Pa"][line] / 1e6
+    limit = friction_of(case) * friction_factor(folder, slip, section) * patch["pressure_Pa"][line] / 1e6
     axis.plot(x, limit, "k--", lw=1, label=r"$\mu\, p$")
     axis.plot(x, -limit, "k--", lw=1)
     if contact_table:
@@ -98,6 +98,11 @@ SWEEPS = {"longitudinal_creepage": ("longitudinal creepage [%]", 100), "lateral_
           "normal_force_N": ("normal force [kN]", 1e-3)}
 
 
+def friction_of(case):
+    """Of a case; not a number where its contacts have different ones."""
+    return float("nan") if case["friction"] is None else case["friction"]
+
+
 def plot_curves(folder, cases):
     """One panel per curve: |Ft| / N against the swept quantity, one line per friction."""
     curves = {}
@@ -109,7 +114,7 @@ def plot_curves(folder, cases):
         exact = [q for q in varying if q.split("_")[0] in name.lower()]
         if len(members) >= 3 and (exact or varying):
             panels.append((name, members, (exact or varying)[0]))
-        elif len(members) >= 3 and np.ptp([c["friction"] for c in members]) > 0:
+        elif len(members) >= 3 and np.ptp([friction_of(c) for c in members]) > 0:
             panels.append((name, members, "friction"))
     if not panels:
         return
@@ -117,16 +122,17 @@ def plot_curves(folder, cases):
     for axis, (name, members, quantity) in zip(axes[0], panels):
         label, factor = SWEEPS[quantity]
         groups = {}
+        known = quantity != "friction" and all(case["friction"] is not None for case in members)
         for case in members:
-            groups.setdefault(0 if quantity == "friction" else case["friction"], []).append(case)
+            groups.setdefault(case["friction"] if known else 0, []).append(case)
         for friction, group in sorted(groups.items()):
             group.sort(key=lambda case: case[quantity])
             x = [factor * case[quantity] for case in group]
             force = [np.hypot(*case["tangential_force_N"]) / case["normal_force_N"] for case in group]
-            line, = axis.plot(x, force, "o-", ms=3, label="" if quantity == "friction" else f"$\\mu$ = {friction:g}")
+            line, = axis.plot(x, force, "o-", ms=3, label=f"$\\mu$ = {friction:g}" if known else "")
             if quantity == "spin_1_m":
                 moment = [case["spin_moment_Nm"] / case["normal_force_N"] * 1e3 for case in group]
-                axis.plot(x, moment, "s--", ms=3, color=line.get_color(), label=f"$M_z/N$ [mm], $\\mu$ = {friction:g}")
+                axis.plot(x, moment, "s--", ms=3, color=line.get_color(), label="$M_z/N$ [mm]" + (f", $\\mu$ = {friction:g}" if known else ""))
         axis.set_xlabel(label)
         axis.set_ylabel("$|F_t| / N$")
         axis.grid(alpha=0.3)

@@ -92,13 +92,13 @@ namespace vibrocontact
     return reader;
   }
 
-  void MarchCheckpoint::check_end_time(const double end_time) const
+  void MarchCheckpoint::check_end_time(const double end_time, const double time_step) const
   {
     const auto reader = opened();
     double time = 0;
     if (reader)
       read_whole(name, advice, [&] { time = reader->number("time"); });
-    if (time <= end_time * (1 + 1e-12))
+    if (time <= end_time * (1 + 1e-12) + rounding_of_times * time_step)
       return;
     std::ostringstream text;
     text << section << "/End time = " << end_time << " s is before what the run to be resumed has reached, "

@@ -101,7 +101,7 @@ namespace vibrocontact
       const double rms = 1e-6 * std::pow(10., levels[band] / 20), centre = 2 * pi / wavelengths[band];
       const std::string line = file.source + ", line " + std::to_string(file.lines[band]) + ",";
       for (unsigned int other = 0; other < band; ++other)
-        if (std::abs(std::log10(wavelengths[band] / wavelengths[other])) < 0.9 * band_width)
+        if (std::abs(std::log10(wavelengths[band] / wavelengths[other])) < 0.7 * band_width)
           throw InputError(line + " has a band about " + number_text(wavelengths[band]) +
                            " m that overlaps the one about " + number_text(wavelengths[other]) +
                            " m: bands are thirds of an octave, each given once.");

@@ -105,14 +105,16 @@ namespace vibrocontact
         [&]
         {
           check_same(folder, content(folder, "used.prm"), used);
-          transient_checkpoint(folder).check_end_time(parameters.transient.end_time);
+          transient_checkpoint(folder).check_end_time(parameters.transient.end_time,
+                                                      parameters.transient.least_step());
           for (const std::string &one :
                folders_of_cases(folder, parameters, "transient", "Transient/End time"))
-            transient_checkpoint(one).check_end_time(parameters.transient.end_time);
-          road_checkpoint(folder).check_end_time(road.end_time);
+            transient_checkpoint(one).check_end_time(parameters.transient.end_time,
+                                                     parameters.transient.least_step());
+          road_checkpoint(folder).check_end_time(road.end_time, road.time_step);
           for (const std::string &one :
                folders_of_cases(folder, parameters, "modal convolution", "Modal convolution/End time"))
-            road_checkpoint(one).check_end_time(road.end_time);
+            road_checkpoint(one).check_end_time(road.end_time, road.time_step);
           results = results_of_text(content(folder, "results.json"));
           check_files(folder, results.input_files, used);
         });

@@ -53,11 +53,12 @@ namespace vibrocontact
 
   double reach_of_modes(const Parameters &parameters, const ContactPair &pair)
   {
-    double reach = 0;
-    for (unsigned int k = 0; k < pair.n_modes(); ++k)
-      if (parameters.scene.bodies[pair.body[k] - 1].is_meshed())
-        reach = std::max(reach, pair.omega[k] / (2 * dealii::numbers::PI));
-    return reach > 0 ? reach : std::numeric_limits<double>::infinity();
+    const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
+    const std::vector<double> omega = pair.frequencies();
+    if (omega.empty() || std::none_of(bodies.begin(), bodies.end(),
+                                      [](const BodyParameters &body) { return body.is_meshed(); }))
+      return std::numeric_limits<double>::infinity();
+    return *std::max_element(omega.begin(), omega.end()) / (2 * dealii::numbers::PI);
   }
 
   std::vector<ExactReceptance> exact_receptances(const MeshedBodies &bodies, const PlacedContacts &contacts,

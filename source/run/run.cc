@@ -61,8 +61,8 @@ namespace vibrocontact
                  faster_blas_advice(blas));
     }
 
-    /// No file has such numbers. Collective.
-    void take_out_what_is_not_finite(Results &results)
+    /// No file has such numbers. @return whether there were any. Collective.
+    bool take_out_what_is_not_finite(Results &results)
     {
       // what ranks hold may differ in the last digit
       std::vector<std::pair<std::string, std::string>> found;
@@ -75,11 +75,15 @@ namespace vibrocontact
         {
           found.emplace_back(key, error.what());
         }
-      for (const auto &[key, reason] : dealii::Utilities::MPI::broadcast(run_communicator(), found, 0))
+      found = dealii::Utilities::MPI::broadcast(run_communicator(), found, 0);
+      for (const auto &[key, reason] : found)
       {
         results.analyses.erase(key);
-        refuse(reason, results);
+        // a result that was saved on the way has said so
+        if (results.failures.empty() || results.failures.back().message != reason)
+          refuse(reason, results);
       }
+      return !found.empty();
     }
 
     /// @param resume whether an earlier run in the folder is continued
@@ -142,11 +146,17 @@ namespace vibrocontact
           refuse(error.what(), results);
           came_to_nothing.insert(name);
         }
-        take_out_what_is_not_finite(results);
+        if (take_out_what_is_not_finite(results))
+        {
+          came_to_its_end = false;
+          came_to_nothing.insert(name);
+        }
         // what was stopped, or continues and did not converge, goes on from its checkpoint
         if (came_to_its_end && (!analysis.continues || results.failures.size() == n_failures))
           results.finished.insert(name);
-        results.running.clear();
+        // a signal stops it there
+        if (results.stopped_by == 0)
+          results.running.clear();
         save();
       }
     }
@@ -218,7 +228,7 @@ namespace vibrocontact
       std::vector<Answer> said = answers(kinds_of_answers(analyses), results.analyses, record.folder);
       if (results.stopped_by != 0)
         for (const Analysis &analysis : analyses)
-          if (results.finished.count(analysis.type.name) == 0)
+          if (analysis.type.name == results.running)
             for (const AnswerKind &kind : kinds_of_answers({analysis}))
               for (Answer &answer : said)
                 if (answer.analysis == kind.analysis)
@@ -320,10 +330,11 @@ namespace vibrocontact
     const auto keep_what_was_done = [&](const std::string &failure)
     {
       // what analyses before this one have computed stays
-      if (results.finished.empty() && results.analyses.size() < 2)
+      if (results.finished.empty() && results.failures.empty() && results.analyses.size() < 2)
         return record.discard();
       results.failures.push_back({results.running, failure});
       add_what_was_not_run(tables.analyses, parameters, results);
+      take_out_what_is_not_finite(results);
       try
       {
         finish(tables.analyses, false, record, results, begin);

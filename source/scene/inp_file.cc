@@ -362,10 +362,17 @@ namespace vibrocontact
           const auto found = elements.find(tag);
           return found != elements.end() && element_type(found->second.type)->dim == 3;
         };
+        // sets that make surfaces of cells which belong to another set
+        std::set<long long> in_sets_of_cells;
+        for (const std::string &of_cells : sets_of_cells)
+          in_sets_of_cells.insert(element_sets[of_cells].begin(), element_sets[of_cells].end());
         std::set<std::string> only_of_surfaces;
         for (const auto &[surface, parts] : surfaces)
           for (const auto &[of, label] : parts)
-            if (sets_of_cells.count(of) == 0)
+            if (const auto found = element_sets.find(of);
+                found != element_sets.end() && sets_of_cells.count(of) == 0 &&
+                std::includes(in_sets_of_cells.begin(), in_sets_of_cells.end(), found->second.begin(),
+                              found->second.end()))
               only_of_surfaces.insert(of);
         std::map<long long, std::vector<unsigned int>> groups_of;
         for (const auto &[set_name, members] : element_sets)

@@ -68,6 +68,25 @@ TEST(ResponseExtrema, OfWhatNothingDampsAreTheFrequenciesComputed)
   EXPECT_EQ(magnitude, std::abs(H(999)));
 }
 
+TEST(ResponseExtrema, WithoutLossAreFinite)
+{
+  const auto lossless = [](const std::vector<double> &frequency)
+  {
+    ResponseVariant variant;
+    variant.frequency = frequency;
+    for (const double f : frequency)
+      variant.response.push_back({Complex(1 / (1000. * 1000 - f * f), 0)});
+    return variant;
+  };
+  const FrequencyResponseParameters parameters = receptances_at(50);
+  const std::vector<ResponseExtremum> found =
+      response_extrema(parameters, with_resolved_extrema(parameters, lossless(parameters.frequencies()),
+                                                         {1000}, 2e-3, lossless));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(std::isfinite(found[0].magnitude));
+  EXPECT_EQ(found[0].magnitude, found[0].computed);
+}
+
 TEST(ResponseExtrema, AreThoseOfTheModesBetweenFewFrequencies)
 {
   for (const unsigned int count : {20, 50, 500})
@@ -75,7 +94,7 @@ TEST(ResponseExtrema, AreThoseOfTheModesBetweenFewFrequencies)
     const FrequencyResponseParameters parameters = receptances_at(count);
     const std::vector<ResponseExtremum> found =
         response_extrema(parameters, with_resolved_extrema(parameters, solve(parameters.frequencies()),
-                                                           own_frequencies, solve));
+                                                           own_frequencies, 2e-3, solve));
     std::vector<ResponseExtremum> maxima;
     std::copy_if(found.begin(), found.end(), std::back_inserter(maxima),
                  [](const ResponseExtremum &one) { return one.is_maximum; });

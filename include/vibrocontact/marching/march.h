@@ -12,10 +12,12 @@ namespace vibrocontact
   /// Numbers that tell bodies apart, by name.
   using Marks = std::vector<std::pair<std::string, std::vector<double>>>;
 
+  /// of a step, by which its end may lie beyond the last time
+  constexpr double rounding_of_times = 1e-6;
+
   /// Whole steps up to an end [s]; never beyond it, where tables may stop.
   inline double steps_until(const double end_time, const double time_step)
   {
-    constexpr double rounding_of_times = 1e-6;
     return std::floor(end_time / time_step + rounding_of_times);
   }
 

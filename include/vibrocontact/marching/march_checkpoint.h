@@ -31,7 +31,8 @@ namespace vibrocontact
     /// @return false: there is no checkpoint @throws InputError if it is damaged, of another version or of other bodies
     bool read_part(const Marks &marks, const std::function<void(CheckpointFile &, double)> &exchange) const;
     /// @throws InputError if there is a checkpoint beyond the end time [s], or one that read() would refuse for itself
-    void check_end_time(double end_time) const;
+    /// @param time_step of the march, which ends at whole ones [s]
+    void check_end_time(double end_time, double time_step = 0) const;
 
   private:
     /// null: there is none

@@ -27,8 +27,8 @@ namespace vibrocontact
                                              const std::optional<MeasuredData> &measured,
                                              unsigned int number);
 
-  /// The highest frequency of the modes kept of bodies with elements [Hz]: above, motions of the pair are made by what they leave out.
-  /// No bound: there are no such bodies.
+  /// The highest frequency of the modes and poles of a pair with bodies of elements [Hz]: above, its motions are made by what
+  /// these leave out. Infinite: there are no such bodies, so that nothing is left out.
   double reach_of_modes(const Parameters &parameters, const ContactPair &pair);
 
   /// Of its periodic rails, in the rows of the contacts; they refer to `bodies`.

@@ -36,51 +36,69 @@ namespace vibrocontact
     return best;
   }
 
+  bool ResponseExtremum::is_resolved(const double accuracy) const
+  {
+    return std::abs(std::log(magnitude / computed)) <= accuracy;
+  }
+
+  namespace
+  {
+    /// Those of one driving point.
+    void add_extrema_of(const FrequencyResponseParameters &parameters, const ResponseVariant &variant,
+                        const std::string &point, const unsigned int index,
+                        std::vector<ResponseExtremum> &found)
+    {
+      const double share = std::log(1.2);
+      // without loss a resonance is infinite
+      std::vector<Complex> H;
+      std::vector<double> f, y;
+      for (unsigned int k = 0; k < variant.frequency.size(); ++k)
+      {
+        const Complex value = parameters.shown(variant.response[k][index], variant.frequency[k]);
+        const double magnitude = std::log(std::abs(value));
+        if (!std::isfinite(magnitude))
+          continue;
+        f.push_back(variant.frequency[k]);
+        H.push_back(value);
+        y.push_back(magnitude);
+      }
+      // the best so far on the way up or down is an extremum once the curve has turned by `share`
+      unsigned int high = 0, low = 0;
+      bool up = true;
+      const auto report = [&](const unsigned int k, const bool is_maximum)
+      {
+        if (k == 0)
+          return;
+        const auto [frequency, magnitude] =
+            extremum_between({{f[k - 1], f[k], f[k + 1]}}, {{H[k - 1], H[k], H[k + 1]}}, is_maximum);
+        found.push_back({point, is_maximum, frequency, magnitude, f[k], std::abs(H[k])});
+      };
+      for (unsigned int k = 0; k < y.size(); ++k)
+      {
+        high = y[k] > y[high] ? k : high;
+        low = y[k] < y[low] ? k : low;
+        if (up && y[k] < y[high] - share)
+        {
+          report(high, true);
+          up = false;
+          low = k;
+        }
+        else if (!up && y[k] > y[low] + share)
+        {
+          report(low, false);
+          up = true;
+          high = k;
+        }
+      }
+    }
+  } // namespace
+
   std::vector<ResponseExtremum> response_extrema(const FrequencyResponseParameters &parameters,
                                                  const ResponseVariant &variant)
   {
-    const double share = std::log(1.2);
-    const std::vector<double> &f = variant.frequency;
     std::vector<ResponseExtremum> found;
-    for_each_driving_point(parameters,
-                           [&](const std::string &point, const unsigned int index)
-                           {
-                             std::vector<Complex> H;
-                             std::vector<double> y;
-                             for (unsigned int k = 0; k < f.size(); ++k)
-                             {
-                               H.push_back(parameters.shown(variant.response[k][index], f[k]));
-                               y.push_back(std::log(std::abs(H.back())));
-                             }
-                             // the best so far on the way up or down is an extremum once the curve has turned by `share`
-                             unsigned int high = 0, low = 0;
-                             bool up = true;
-                             const auto report = [&](const unsigned int k, const bool is_maximum)
-                             {
-                               if (k == 0)
-                                 return;
-                               const auto [frequency, magnitude] = extremum_between(
-                                   {{f[k - 1], f[k], f[k + 1]}}, {{H[k - 1], H[k], H[k + 1]}}, is_maximum);
-                               found.push_back({point, is_maximum, index, k, frequency, magnitude});
-                             };
-                             for (unsigned int k = 0; k < y.size(); ++k)
-                             {
-                               high = y[k] > y[high] ? k : high;
-                               low = y[k] < y[low] ? k : low;
-                               if (up && y[k] < y[high] - share)
-                               {
-                                 report(high, true);
-                                 up = false;
-                                 low = k;
-                               }
-                               else if (!up && y[k] > y[low] + share)
-                               {
-                                 report(low, false);
-                                 up = true;
-                                 high = k;
-                               }
-                             }
-                           });
+    for_each_driving_point(parameters, [&](const std::string &point, const unsigned int index)
+                           { add_extrema_of(parameters, variant, point, index, found); });
     return found;
   }
 
@@ -98,12 +116,11 @@ namespace vibrocontact
 
   ResponseVariant with_resolved_extrema(const FrequencyResponseParameters &parameters,
                                         ResponseVariant variant,
-                                        const std::vector<double> &natural_frequencies,
+                                        const std::vector<double> &natural_frequencies, const double accuracy,
                                         const ResponseSolver &solve)
   {
     constexpr unsigned int most_rounds = 6;
-    // of a magnitude, in its logarithm; of frequencies that are one
-    constexpr double resolved = 2e-3, same_frequency = 1e-9;
+    constexpr double same_frequency = 1e-9;
     std::vector<double> wanted;
     const auto want = [&](const double frequency)
     {
@@ -128,12 +145,8 @@ namespace vibrocontact
     for (unsigned int round = 0; round < most_rounds; ++round)
     {
       for (const ResponseExtremum &one : response_extrema(parameters, variant))
-      {
-        const double there = std::abs(
-            parameters.shown(variant.response[one.sample][one.index], variant.frequency[one.sample]));
-        if (std::abs(std::log(one.magnitude / there)) > resolved)
+        if (!one.is_resolved(accuracy))
           want(one.frequency);
-      }
       if (!take())
         break;
     }

@@ -23,6 +23,11 @@ namespace vibrocontact
 {
   namespace
   {
+    /// to which magnitudes of extrema are found, in the logarithm: by modes, and where each frequency costs a factorisation
+    constexpr double modal_accuracy = 2e-3, factorised_accuracy = 0.2;
+    /// of modes whose resonance is computed; that of others is infinite
+    constexpr double least_damping = 1e-6;
+
     /// The largest maxima and the smallest minima; all of them are in a table.
     void print_extrema(const nlohmann::ordered_json &extrema)
     {
@@ -89,9 +94,15 @@ namespace vibrocontact
     {
       nlohmann::ordered_json extrema = {{"maxima", nlohmann::ordered_json::array()},
                                         {"minima", nlohmann::ordered_json::array()}};
+      // what is not resolved is not extrapolated
       for (const ResponseExtremum &one : response_extrema(parameters, variant))
+      {
+        const bool resolved = one.is_resolved(factorised_accuracy);
         extrema[one.is_maximum ? "maxima" : "minima"].push_back(
-            {{"point", one.point}, {"frequency_Hz", one.frequency}, {"magnitude", one.magnitude}});
+            {{"point", one.point},
+             {"frequency_Hz", resolved ? one.frequency : one.computed_frequency},
+             {"magnitude", resolved ? one.magnitude : one.computed}});
+      }
       result.update(extrema);
       result["extrema_table"] = write(extrema_table(extrema, parameters, body));
       print_extrema(extrema);
@@ -142,11 +153,16 @@ namespace vibrocontact
       // by modes a frequency more costs next to nothing
       std::vector<double> natural_frequencies;
       if (is_modal)
-        for (const double omega : body.reduction.modal().omega)
-          natural_frequencies.push_back(omega / (2 * dealii::numbers::PI));
+      {
+        const auto &modes = body.reduction.modal();
+        for (std::size_t k = 0; k < modes.damping_ratio.size(); ++k)
+          if (modes.damping_ratio[k] > least_damping)
+            natural_frequencies.push_back(modes.omega[k] / (2 * dealii::numbers::PI));
+      }
       add_extrema(parameters,
-                  is_modal ? with_resolved_extrema(parameters, main, natural_frequencies, solve) : main, name,
-                  result, [&](const Table &table) { return write(table, "_extrema"); });
+                  with_resolved_extrema(parameters, main, natural_frequencies,
+                                        is_modal ? modal_accuracy : factorised_accuracy, solve),
+                  name, result, [&](const Table &table) { return write(table, "_extrema"); });
       const bool has_modes = body.reduction.request().modes.any();
       if (has_modes)
       {
@@ -192,14 +208,15 @@ namespace vibrocontact
         tables.push_back(file);
         return file;
       };
-      const ResponseVariant main = refined_response(parameters, [&](const std::vector<double> &frequency)
-                                                    { return response.direct(frequency); });
+      const auto solve = [&](const std::vector<double> &frequency) { return response.direct(frequency); };
+      const ResponseVariant main = refined_response(parameters, solve);
       nlohmann::ordered_json result = {
           {"method", main.method},
           {"section_dofs", response.rail_track().n_section_dofs()},
           {"section_shapes", track.section.matrices.n_shapes()},
           {"table", write(response_table(parameters, main, body.name), "frequency_response")}};
-      add_extrema(parameters, main, body.name, result,
+      add_extrema(parameters, with_resolved_extrema(parameters, main, {}, factorised_accuracy, solve),
+                  body.name, result,
                   [&](const Table &table) { return write(table, "frequency_response", "_extrema"); });
       result["decay_rates_table"] = write(response.decay_rates(body.name), "decay_rates");
       result["decay_rate_bands_table"] = write(response.decay_rate_bands(body.name), "decay_rate_bands");

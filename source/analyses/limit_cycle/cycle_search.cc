@@ -140,19 +140,22 @@ namespace vibrocontact
   {
     if (search.from)
       return {root_of_motion(search)};
-    std::vector<StabilityRoot> unstable = unstable_of(roots_of(search.scene));
+    std::vector<StabilityRoot> roots = asked_roots(unstable_of(roots_of(search.scene)), search.own().roots);
     const double reach = reach_of_modes(search.on.parameters, search.pair());
-    const auto beyond =
-        std::stable_partition(unstable.begin(), unstable.end(),
-                              [reach](const StabilityRoot &root) { return root.frequency <= reach; });
-    if (const auto n = unstable.end() - beyond; n > 0)
-      doubt("No cycle is sought from " + std::to_string(n) +
-                (n == 1 ? " root that grows" : " roots that grow") + " above " + number_text(reach) +
-                " Hz, the highest of the modes kept, which do not carry " + (n == 1 ? "it" : "them") +
-                ": keep more modes.",
-            search.on.results);
-    unstable.erase(beyond, unstable.end());
-    return asked_roots(unstable, search.own().roots);
+    const auto beyond = std::stable_partition(
+        roots.begin(), roots.end(), [reach](const StabilityRoot &root) { return root.frequency <= reach; });
+    const auto n = roots.end() - beyond;
+    if (n == 0)
+      return roots;
+    const bool asked = !search.own().roots.empty();
+    doubt(std::string(asked ? "Cycles are" : "No cycle is") + " sought from " + std::to_string(n) +
+              (n == 1 ? " root" : " roots") + " above " + number_text(reach) +
+              " Hz, the highest of the modes kept, which do not carry " + (n == 1 ? "it" : "them") +
+              ": keep more modes" + (asked ? "." : ", or name it in Limit cycle/Roots."),
+          search.on.results);
+    if (!asked)
+      roots.erase(beyond, roots.end());
+    return roots;
   }
 
   SoughtCycle seek_cycle(const CycleSearch &search, const StabilityRoot &root)

@@ -187,12 +187,14 @@ namespace vibrocontact
     if (last.contains("error_not_known"))
       lines.push_back("error by the grid not known: " + word(last, "error_not_known"));
     if (is_known(last))
-      lines.push_back(
-          text("tangential force +- %.3g N (%.2g %% of friction's bound) and spin moment %.4g +- "
-               "%.2g Nm by the grid",
-               number(last, "force_error_N"),
-               friction_bound(last) > 0 ? 100 * number(last, "force_error_N") / friction_bound(last) : 0.,
-               number(last, "spin_moment_Nm"), number(last, "spin_moment_error_Nm")));
+      lines.push_back(text("tangential force +- %.3g N%s and spin moment %.4g +- %.2g Nm by the grid",
+                           number(last, "force_error_N"),
+                           friction_bound(last) > 0
+                               ? text(" (%.2g %% of friction's bound)",
+                                      100 * number(last, "force_error_N") / friction_bound(last))
+                                     .c_str()
+                               : "",
+                           number(last, "spin_moment_Nm"), number(last, "spin_moment_error_Nm")));
     if (is_known(last) && number(last, "normal_force_error_N") > 0)
       lines.push_back(text("normal force +- %.3g N by the grid", number(last, "normal_force_error_N")));
     lines.push_back(text("largest pressure %.4g MPa, approach %.4g mm; of %.0f points in contact %.0f stick",

@@ -99,32 +99,30 @@ namespace vibrocontact
     return frequencies;
   }
 
-  namespace
+  void judge_reach_of_modes(const std::vector<StabilityResult> &all, Results &results)
   {
-    /// What grows beyond the modes kept of bodies with elements is made by what they leave out.
-    void judge_reach_of_modes(const Parameters &parameters, const ContactPair &pair,
-                              const std::vector<StabilityResult> &all, Results &results)
+    std::size_t most = 0;
+    double reach = 0;
+    for (const StabilityResult &one : all)
     {
-      const double reach = reach_of_modes(parameters, pair);
-      if (!std::isfinite(reach))
-        return;
-      results.analyses["stability"]["modes_reach_Hz"] = reach;
-      std::size_t most = 0;
-      for (const StabilityResult &one : all)
+      const auto grown = one.unstable();
+      const std::size_t n =
+          std::count_if(grown.begin(), grown.end(),
+                        [&one](const StabilityRoot *root) { return root->frequency > one.modes_reach; });
+      if (n > most)
       {
-        const auto grown = one.unstable();
-        most = std::max<std::size_t>(most, std::count_if(grown.begin(), grown.end(),
-                                                         [reach](const StabilityRoot *root)
-                                                         { return root->frequency > reach; }));
+        most = n;
+        reach = one.modes_reach;
       }
-      if (most > 0)
-        doubt(std::to_string(most) + (most == 1 ? " root that grows lies" : " roots that grow lie") +
-                  " above " + number_text(reach) +
-                  " Hz, the highest of the modes kept, which do not carry it: give a Stability/Upper "
-                  "frequency below, or keep more modes.",
-              results);
     }
-  } // namespace
+    if (most > 0)
+      doubt(std::string(all.size() > 1 ? "Up to " : "") + std::to_string(most) +
+                (most == 1 ? " root that grows lies" : " roots that grow lie") + " above " +
+                number_text(reach) +
+                " Hz, the highest of the modes kept, which do not carry it: give a Stability/Upper "
+                "frequency below, or keep more modes.",
+            results);
+  }
 
   void run_stability(const Parameters &parameters, const MeshedBodies &bodies,
                      const std::optional<MeasuredData> &measured, const std::string &folder, Results &results)
@@ -158,11 +156,16 @@ namespace vibrocontact
       refuse(why, results);
       progress.advance();
     };
-    const std::vector<StabilityResult> all =
+    std::vector<StabilityResult> all =
         stability(parameters.stability, rolling, parameters.contacts, parameters.contact_solver, pair,
                   finished, roots_about, loss ? &*loss : nullptr, failed);
+    if (!in_time.wrong.empty())
+      refuse(in_time.wrong, results);
     if (all.empty())
       return;
+    for (StabilityResult &one : all)
+      if (parameters.stability.is_reduced())
+        one.modes_reach = reach_of_modes(parameters, pair);
     StabilityOutcome outcome;
     outcome.loss = parameters.stability.loss;
     outcome.results = all;
@@ -171,10 +174,7 @@ namespace vibrocontact
     add_contacts(outcome, pair.interface.contacts, results.analyses["stability"]);
     if (!in_time.roots.is_null())
       results.analyses["stability"]["roots_beside_rail"] = in_time.roots;
-    if (!in_time.wrong.empty())
-      refuse(in_time.wrong, results);
-    if (parameters.stability.is_reduced())
-      judge_reach_of_modes(parameters, pair, all, results);
+    judge_reach_of_modes(all, results);
     if (loss)
       say_hysteretic_rests(parameters, results);
     else if (parameters.stability.is_reduced())

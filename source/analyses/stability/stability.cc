@@ -142,8 +142,13 @@ namespace vibrocontact
   const StabilityRoot &StabilityResult::nearest() const
   {
     return *std::max_element(roots.begin(), roots.end(),
-                             [](const StabilityRoot &a, const StabilityRoot &b)
-                             { return a.divergence_rate < b.divergence_rate; });
+                             [this](const StabilityRoot &a, const StabilityRoot &b)
+                             {
+                               const bool a_carried = a.frequency <= modes_reach,
+                                          b_carried = b.frequency <= modes_reach;
+                               return a_carried != b_carried ? b_carried
+                                                             : a.divergence_rate < b.divergence_rate;
+                             });
   }
 
   std::shared_ptr<const ContactOperator>
@@ -158,11 +163,9 @@ namespace vibrocontact
                             const std::function<void(StabilityResult &&, const RollingEquilibrium &)> &found,
                             const FailedCase &failed)
   {
-    unsigned int number = 0;
     const HubKind &hub = hub_kind(rolling.hub);
     const auto take = [&](const RollingResult &equilibrium, const ContactProblem &problem)
     {
-      const unsigned int own_number = number++;
       try
       {
         if (!equilibrium.solution.converged)
@@ -189,7 +192,10 @@ namespace vibrocontact
       {
         if (!failed)
           throw;
-        failed("Case " + std::to_string(own_number) + " of the stability analysis: " + error.what());
+        const RollingCase &one = equilibrium.rolling_case;
+        failed("Of creepages " + number_text(one.creepage.longitudinal) + " and " +
+               number_text(one.creepage.lateral) + ", spin " + number_text(one.creepage.spin) +
+               " 1/m and friction " + number_text(one.friction) + ": " + error.what());
       }
     };
     quasi_static_rolling(

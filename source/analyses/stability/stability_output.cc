@@ -54,6 +54,8 @@ namespace vibrocontact
                                     {"unstable", unstable},
                                     {"nearest", root_json(result.nearest())},
                                     {"seconds", result.seconds}};
+      if (std::isfinite(result.modes_reach))
+        one["modes_reach_Hz"] = result.modes_reach;
       if (result.n_above > 0)
         one["above_upper_frequency"] = {{"roots", result.n_above}, {"growing", result.n_growing_above}};
       if (result.second_count)
@@ -329,25 +331,11 @@ namespace vibrocontact
       return line;
     }
 
-    /// The root that grows first along a sweep of one entry which begins without one, with its case; empty otherwise.
-    std::string first_that_grows(const answer_parts::Json &cases)
-    {
-      using namespace answer_parts;
-      for (const Json &one : cases)
-      {
-        if (one.value("swept", Json::object()).size() != 1)
-          return "";
-        if (const Json *const root = largest(list(one, "unstable"), "growth_1_s", 1))
-          return &one == &cases.front() ? "" : root_text(*root) + case_text(one);
-      }
-      return "";
-    }
-
     /// Roots of a case that grow, of those that the modes kept carry or of those beyond, the fastest first.
-    std::vector<answer_parts::Json> growing_roots(const answer_parts::Json &one, const double reach,
-                                                  const bool carried)
+    std::vector<answer_parts::Json> growing_roots(const answer_parts::Json &one, const bool carried)
     {
       using namespace answer_parts;
+      const double reach = one.value("modes_reach_Hz", std::numeric_limits<double>::max());
       std::vector<Json> roots;
       for (const Json &root : list(one, "unstable"))
         if ((number(root, "frequency_Hz") <= reach) == carried)
@@ -358,13 +346,31 @@ namespace vibrocontact
       return roots;
     }
 
+    /// The root that grows first along a sweep of one entry which begins without one, with its case; empty otherwise.
+    std::string first_that_grows(const answer_parts::Json &cases)
+    {
+      using namespace answer_parts;
+      for (const Json &one : cases)
+      {
+        if (one.value("swept", Json::object()).size() != 1)
+          return "";
+        if (const std::vector<Json> roots = growing_roots(one, true); !roots.empty())
+          return &one == &cases.front() ? "" : root_text(roots[0]) + case_text(one);
+      }
+      return "";
+    }
+
     /// Of all cases: what the modes kept do not carry.
-    void say_what_grows_beyond_modes(const answer_parts::Json &cases, const double reach,
-                                     answer_parts::Lines &lines)
+    void say_what_grows_beyond_modes(const answer_parts::Json &cases, answer_parts::Lines &lines)
     {
       std::size_t most = 0;
+      double reach = 0;
       for (const answer_parts::Json &one : cases)
-        most = std::max(most, growing_roots(one, reach, false).size());
+        if (const std::size_t n = growing_roots(one, false).size(); n > most)
+        {
+          most = n;
+          reach = answer_parts::number(one, "modes_reach_Hz");
+        }
       if (most > 0)
         lines.push_back(
             answer_parts::text("beyond the modes kept, which reach %.6g Hz, %s%zu more %s, not to be trusted",
@@ -391,7 +397,6 @@ namespace vibrocontact
     const Json &cases = list(stability, "cases");
     if (cases.empty())
       return lines;
-    const double reach = stability.value("modes_reach_Hz", std::numeric_limits<double>::max());
     if (cases.size() > 1 || !list(stability, "left_out").empty())
     {
       std::size_t n_unstable = 0;
@@ -399,7 +404,7 @@ namespace vibrocontact
       const Json *fastest_case = nullptr, *nearest = nullptr, *nearest_case = nullptr;
       for (const Json &one : cases)
       {
-        const std::vector<Json> roots = growing_roots(one, reach, true);
+        const std::vector<Json> roots = growing_roots(one, true);
         n_unstable += !roots.empty();
         if (!roots.empty() &&
             (!fastest_case || number(roots[0], "growth_1_s") > number(fastest, "growth_1_s")))
@@ -423,20 +428,20 @@ namespace vibrocontact
       if (most && list(stability, "swept_entries") == Json{ParameterSweep::lateral_position})
         lines.push_back("averaged over the positions: " +
                         text("growth %+.4g 1/s, ", number(*most, "growth_1_s")) + word(*most, "root"));
-      say_what_grows_beyond_modes(cases, reach, lines);
+      say_what_grows_beyond_modes(cases, lines);
       say_what_grows_above(cases, lines);
       if (const std::size_t n = list(stability, "left_out").size(); n > 0)
         lines.push_back(std::to_string(n) + (n == 1 ? " case is" : " cases are") +
                         " left out, see left_out in results.json");
       return lines;
     }
-    const std::vector<Json> roots = growing_roots(cases[0], reach, true);
+    const std::vector<Json> roots = growing_roots(cases[0], true);
     if (roots.empty())
     {
       lines.push_back("nothing grows");
       if (cases[0].contains("nearest"))
         lines.push_back("nearest to growing: " + root_text(cases[0]["nearest"]));
-      say_what_grows_beyond_modes(cases, reach, lines);
+      say_what_grows_beyond_modes(cases, lines);
       say_what_grows_above(cases, lines);
       return lines;
     }
@@ -446,7 +451,7 @@ namespace vibrocontact
     for (std::size_t k = 0; k < std::min(roots.size(), most_said); ++k)
       lines.push_back(root_text(roots[k]));
     say_more(roots.size(), "in stability.csv", lines);
-    say_what_grows_beyond_modes(cases, reach, lines);
+    say_what_grows_beyond_modes(cases, lines);
     say_what_grows_above(cases, lines);
     return lines;
   }

@@ -16,10 +16,13 @@ namespace vibrocontact
   {
     std::string point;
     bool is_maximum = true;
-    /// index into a Receptance; of the frequency computed that stands out
-    unsigned int index = 0, sample = 0;
-    /// between it and its neighbours, by extremum_between() [Hz]; of the quantity that is shown
+    /// by extremum_between() [Hz]; of the quantity that is shown
     double frequency = 0, magnitude = 0;
+    /// the same of the frequency computed that stands out
+    double computed_frequency = 0, computed = 0;
+
+    /// Whether both magnitudes agree, in their logarithm.
+    bool is_resolved(double accuracy) const;
   };
 
   /// Where |H| is largest or smallest between three frequencies, H the function (a + b f) / (1 + d f) through its complex values there: one mode
@@ -38,9 +41,9 @@ namespace vibrocontact
   void insert(const ResponseVariant &more, ResponseVariant &variant);
 
   /// A response with so many frequencies more that its extrema are those of the body: natural frequencies, then where extremum_between() sees
-  /// extrema that differ from what was computed.
+  /// extrema that are not resolved to an accuracy.
   ResponseVariant with_resolved_extrema(const FrequencyResponseParameters &parameters,
                                         ResponseVariant variant,
-                                        const std::vector<double> &natural_frequencies,
+                                        const std::vector<double> &natural_frequencies, double accuracy,
                                         const ResponseSolver &solve);
 } // namespace vibrocontact

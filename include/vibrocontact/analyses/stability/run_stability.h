@@ -14,6 +14,9 @@ namespace vibrocontact
   /// Of the roots that are unstable, of the nearest one if none is [Hz].
   std::vector<double> frequencies_that_matter(const StabilityResult &result);
 
+  /// Doubts roots that grow beyond what the modes kept carry (StabilityResult::modes_reach).
+  void judge_reach_of_modes(const std::vector<StabilityResult> &all, Results &results);
+
   /// The analysis `stability` of body 1 on body 2 with its output: results and stability.csv, a row per root.
   /// Every rank computes, rank 0 writes. Collective.
   void run_stability(const Parameters &parameters, const MeshedBodies &bodies,

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -70,6 +71,8 @@ namespace vibrocontact
     unsigned int n_above = 0, n_growing_above = 0;
     /// whether they are some of all: those that a sweep follows
     bool followed = false;
+    /// the highest frequency that the modes kept carry [Hz], see reach_of_modes()
+    double modes_reach = std::numeric_limits<double>::infinity();
     /// wall time of the eigenvalues [s]
     double seconds = 0;
 
@@ -80,7 +83,7 @@ namespace vibrocontact
     /// Moves the roots above a frequency [Hz] from `roots` to the counts.
     /// @throws ConvergenceError if none is left
     void leave_out_above(double frequency);
-    /// the root with the largest divergence rate: how near the next instability is
+    /// the root with the largest divergence rate of those that the modes kept carry: how near the next instability is
     const StabilityRoot &nearest() const;
 
     /// all but `suspended`
@@ -88,7 +91,7 @@ namespace vibrocontact
     void serialize(Archive &archive, const unsigned int)
     {
       archive &rolling_case &contact_points &stick_points &normal_force &approach &contacts &hub;
-      archive &roots &n_above &n_growing_above &followed &seconds;
+      archive &roots &n_above &n_growing_above &followed &modes_reach &seconds;
       bool has_second_count = second_count.has_value();
       archive &has_second_count;
       if (has_second_count)
