@@ -330,7 +330,10 @@ namespace vibrocontact
     const auto keep_what_was_done = [&](const std::string &failure)
     {
       // what analyses before this one have computed stays
-      if (results.finished.empty() && results.failures.empty() && results.analyses.size() < 2)
+      const bool others_spoke =
+          std::any_of(results.failures.begin(), results.failures.end(),
+                      [&](const Results::Verdict &one) { return one.analysis != results.running; });
+      if (results.finished.empty() && !others_spoke && results.analyses.size() < 2)
         return record.discard();
       results.failures.push_back({results.running, failure});
       add_what_was_not_run(tables.analyses, parameters, results);
