@@ -9,21 +9,33 @@
 
 namespace vibrocontact
 {
+  namespace
+  {
+    /// @param A is lost @param left, right eigenvectors; of no rows: not asked for
+    std::vector<std::complex<double>> geev(DenseMatrix &A, DenseMatrix &left, DenseMatrix &right)
+    {
+      const int n = A.m(), n_left = std::max(1u, left.m()), n_right = std::max(1u, right.m());
+      const bool with_left = left.m() > 0, with_right = right.m() > 0;
+      double none = 0;
+      std::vector<double> real(n), imaginary(n);
+      with_work("dgeev",
+                [&](double *work, const int &n_work, int &info)
+                {
+                  dealii::geev(with_left ? "V" : "N", with_right ? "V" : "N", &n, &A(0, 0), &n, real.data(),
+                               imaginary.data(), with_left ? &left(0, 0) : &none, &n_left,
+                               with_right ? &right(0, 0) : &none, &n_right, work, &n_work, &info);
+                });
+      std::vector<std::complex<double>> values;
+      for (int k = 0; k < n; ++k)
+        values.emplace_back(real[k], imaginary[k]);
+      return values;
+    }
+  } // namespace
+
   std::vector<std::complex<double>> general_eigenvalues(DenseMatrix A)
   {
-    const int n = A.n(), one = 1;
-    std::vector<double> real(n), imaginary(n);
-    double none = 0;
-    with_work("dgeev",
-              [&](double *work, const int &n_work, int &info)
-              {
-                dealii::geev("N", "N", &n, &A(0, 0), &n, real.data(), imaginary.data(), &none, &one, &none,
-                             &one, work, &n_work, &info);
-              });
-    std::vector<std::complex<double>> result(n);
-    for (int k = 0; k < n; ++k)
-      result[k] = {real[k], imaginary[k]};
-    return result;
+    DenseMatrix left, right;
+    return geev(A, left, right);
   }
 
   std::vector<double> symmetric_eigenvalues(const DenseMatrix &A, DenseMatrix &vectors)
@@ -49,21 +61,10 @@ namespace vibrocontact
 
   Eigenvalues eigenvalues(DenseMatrix matrix, const bool with_left_vectors)
   {
-    const int n = matrix.m();
     Eigenvalues result;
-    result.vectors.reinit(n);
-    result.left.reinit(with_left_vectors ? n : 1);
-    const int n_left = result.left.m();
-    std::vector<double> real(n), imaginary(n);
-    with_work("dgeev",
-              [&](double *work, const int &n_work, int &info)
-              {
-                dealii::geev(with_left_vectors ? "V" : "N", "V", &n, &matrix(0, 0), &n, real.data(),
-                             imaginary.data(), &result.left(0, 0), &n_left, &result.vectors(0, 0), &n, work,
-                             &n_work, &info);
-              });
-    for (int k = 0; k < n; ++k)
-      result.values.emplace_back(real[k], imaginary[k]);
+    result.vectors.reinit(matrix.m());
+    result.left.reinit(with_left_vectors ? matrix.m() : 0);
+    result.values = geev(matrix, result.left, result.vectors);
     return result;
   }
 } // namespace vibrocontact
