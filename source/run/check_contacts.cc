@@ -252,38 +252,34 @@ namespace vibrocontact
             "number in both directions (along x alone with a Contact/Strip length).");
     }
 
-    /// A place of two bodies that belonged to two contacts would be pressed twice.
-    void check_overlap(const PlacedContacts &contacts)
+    /// Whether a place of two bodies belongs to both contacts, where it would be pressed twice.
+    bool overlap(const PlacedContact &one, const PlacedContact &other)
     {
-      const auto middle = [](const ContactGrid &grid, const unsigned int d)
-      {
-        return d == 0 ? grid.x_first + 0.5 * (grid.n_x - 1) * grid.spacing_x
-                      : grid.y_first + 0.5 * (grid.n_y - 1) * grid.spacing_y;
-      };
-      const auto half = [](const ContactGrid &grid, const unsigned int d)
-      { return 0.5 * (d == 0 ? grid.n_x * grid.spacing_x : grid.n_y * grid.spacing_y); };
-      for (std::size_t k = 0; k < contacts.all.size(); ++k)
-        for (std::size_t l = k + 1; l < contacts.all.size(); ++l)
-        {
-          const PlacedContact &one = contacts.all[k], &other = contacts.all[l];
-          if (one.above != other.above || one.below != other.below || one.frame.axes != other.frame.axes)
-            continue;
-          const std::array<double, 3> place = one.frame.coordinates(other.frame.origin);
-          bool overlap = true;
-          double size = 0;
-          for (unsigned int d = 0; d < 2; ++d)
-          {
-            const double reach = half(one.grid, d) + half(other.grid, d);
-            overlap = overlap &&
-                      std::abs(place[d] + middle(other.grid, d) - middle(one.grid, d)) < (1 - 1e-6) * reach;
-            size = std::max(size, reach);
-          }
-          if (overlap && std::abs(place[2]) < 0.1 * size)
+      if (one.above != other.above || one.below != other.below || one.frame.axes != other.frame.axes)
+        return false;
+      const ContactGrid &a = one.grid, &b = other.grid;
+      const auto [x, y, height] = one.frame.coordinates(other.frame.origin);
+      // of the middles from each other, and of the sides where grids touch
+      const double distance_x = x + (b.x_first - a.x_first) +
+                                ((b.n_x - 1.) * b.spacing_x - (a.n_x - 1.) * a.spacing_x) / 2,
+                   distance_y = y + (b.y_first - a.y_first) +
+                                ((b.n_y - 1.) * b.spacing_y - (a.n_y - 1.) * a.spacing_y) / 2,
+                   reach_x = (a.n_x * a.spacing_x + b.n_x * b.spacing_x) / 2,
+                   reach_y = (a.n_y * a.spacing_y + b.n_y * b.spacing_y) / 2;
+      constexpr double beside = 1 - 1e-6, same_height = 0.1;
+      return std::abs(distance_x) < beside * reach_x && std::abs(distance_y) < beside * reach_y &&
+             std::abs(height) < same_height * std::max(reach_x, reach_y);
+    }
+
+    void check_overlap(const std::vector<PlacedContact> &contacts)
+    {
+      for (std::size_t k = 0; k < contacts.size(); ++k)
+        for (std::size_t l = k + 1; l < contacts.size(); ++l)
+          if (overlap(contacts[k], contacts[l]))
             throw InputError(
-                "The contacts " + one.name + " and " + other.name +
+                "The contacts " + contacts[k].name + " and " + contacts[l].name +
                 " of the same bodies overlap, where both would press: move the Origin of one, or "
                 "make Half length and Half width smaller.");
-        }
     }
 
     /// A layer stays where it is; what it slides on is rigid.
@@ -346,7 +342,7 @@ namespace vibrocontact
         check_touch(*joined[0], *joined[1], one.strip_length > 0);
       check_local_flexibility(parameters, one, joined);
     }
-    check_overlap(parameters.placed_contacts());
+    check_overlap(parameters.placed_contacts().all);
   }
 
   void check_own_equations(const Parameters &parameters, const std::string &what)

@@ -187,8 +187,7 @@ namespace vibrocontact
         else if (keyword == "*ELEMENT")
         {
           of_set("ELSET");
-          if (!set.empty())
-            sets_of_cells.insert(set);
+          sets_of_cells.insert(set);
           card = Card::element;
           kind = options["TYPE"];
           const std::string type = boost::to_upper_copy(kind);
@@ -364,8 +363,9 @@ namespace vibrocontact
         };
         // sets that make surfaces of cells which belong to another set
         std::set<long long> in_sets_of_cells;
-        for (const std::string &of_cells : sets_of_cells)
-          in_sets_of_cells.insert(element_sets[of_cells].begin(), element_sets[of_cells].end());
+        for (const auto &[set_name, members] : element_sets)
+          if (sets_of_cells.count(set_name) > 0)
+            in_sets_of_cells.insert(members.begin(), members.end());
         std::set<std::string> only_of_surfaces;
         for (const auto &[surface, parts] : surfaces)
           for (const auto &[of, label] : parts)

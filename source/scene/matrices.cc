@@ -292,7 +292,7 @@ namespace vibrocontact
     {
       const double beside = std::max(*std::min_element(values.begin(), values.end()),
                                      -*std::max_element(values.begin(), values.end()));
-      if (side > 0 && beside > side)
+      if (side > 0 && beside > side) // a single node has no size
         throw InputError(what + "lies " + number_text(beside) + " m beside the Contact point along " + name +
                          ", further than it is long: give a Contact point on it, in the unit of the nodes.");
     }

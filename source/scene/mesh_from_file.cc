@@ -12,7 +12,6 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <sstream>
 
@@ -22,37 +21,43 @@ namespace vibrocontact
 
   namespace
   {
+    bool is_in_contact_group(const FileCells::Face &face, const FileCells &file,
+                             const MeshFileParameters &parameters)
+    {
+      return std::any_of(face.groups.begin(), face.groups.end(),
+                         [&](const unsigned int group)
+                         { return file.names.at(group) == parameters.contact_group; });
+    }
+
+    double diagonal(const std::vector<Point<3>> &places)
+    {
+      const BoundingBox<3> box(places);
+      return box.get_boundary_points().first.distance(box.get_boundary_points().second);
+    }
+
     /// The contact point, which is the origin now, lies on the contact group or near it.
     void check_contact_point(const FileCells &file, const MeshFileParameters &parameters,
                              const std::string &name)
     {
-      double nearest = std::numeric_limits<double>::max();
-      Point<3> low, high;
+      std::vector<Point<3>> corners;
       for (const FileCells::Face &face : file.faces)
-        if (std::any_of(face.groups.begin(), face.groups.end(),
-                        [&](const unsigned int group)
-                        { return file.names.at(group) == parameters.contact_group; }))
+        if (is_in_contact_group(face, file, parameters))
           for (const unsigned int v : face.corners)
-          {
-            const Point<3> &place = file.vertices[v];
-            const bool first = nearest == std::numeric_limits<double>::max();
-            nearest = std::min(nearest, place.norm());
-            for (unsigned int d = 0; d < 3; ++d)
-            {
-              low[d] = first ? place[d] : std::min(low[d], place[d]);
-              high[d] = first ? place[d] : std::max(high[d], place[d]);
-            }
-          }
-      if (nearest < std::numeric_limits<double>::max() && nearest > low.distance(high))
-        throw InputError(name + "/Mesh/Contact point lies " + number_text(nearest) +
+            corners.push_back(file.vertices[v]);
+      if (corners.empty())
+        return;
+      const auto nearest =
+          std::min_element(corners.begin(), corners.end(),
+                           [](const Point<3> &a, const Point<3> &b) { return a.norm() < b.norm(); });
+      if (nearest->norm() > diagonal(corners))
+        throw InputError(name + "/Mesh/Contact point lies " + number_text(nearest->norm()) +
                          " m away from the contact group '" + parameters.contact_group +
                          "', further than that is large: give a point on it, in the unit of the file.");
     }
 
     void check_size(const std::vector<Point<3>> &vertices, const MeshFileParameters &parameters)
     {
-      const BoundingBox<3> box(vertices);
-      const double size = (box.get_boundary_points().second - box.get_boundary_points().first).norm();
+      const double size = diagonal(vertices);
       if (size <= 100 && size >= 1e-3)
         return;
       std::ostringstream text;
@@ -287,9 +292,7 @@ namespace vibrocontact
     double area = 0, height = 0;
     for (const FileCells::Face &named : file.faces)
     {
-      if (std::none_of(named.groups.begin(), named.groups.end(),
-                       [&](const unsigned int group)
-                       { return file.names.at(group) == parameters.contact_group; }))
+      if (!is_in_contact_group(named, file, parameters))
         continue;
       std::vector<Point<3>> p;
       for (const unsigned int v : named.corners)
