@@ -29,13 +29,14 @@ namespace vibrocontact
       return text.str();
     }
 
-    /// Of a sweep's cases, unless it sweeps some entry.
-    std::vector<std::string> folders_of_cases(const std::string &folder, const Parameters &parameters,
-                                              const std::string &analysis, const std::string &entry)
+    /// Of a march: that of the run, and those of a sweep's cases unless it sweeps `End time`.
+    std::vector<std::string> folders_of_march(const std::string &folder, const Parameters &parameters,
+                                              const std::string &analysis, const std::string &section)
     {
-      std::vector<std::string> folders;
+      std::vector<std::string> folders = {folder};
       const auto sweep = parameters.sweeps.find(analysis);
-      if (sweep == parameters.sweeps.end() || !sweep->second.any() || sweep->second.sweeps(entry))
+      if (sweep == parameters.sweeps.end() || !sweep->second.any() ||
+          sweep->second.sweeps(section + "/End time"))
         return folders;
       std::error_code none;
       for (const auto &one :
@@ -105,15 +106,11 @@ namespace vibrocontact
         [&]
         {
           check_same(folder, content(folder, "used.prm"), used);
-          transient_checkpoint(folder).check_end_time(parameters.transient.end_time,
-                                                      parameters.transient.least_step());
-          for (const std::string &one :
-               folders_of_cases(folder, parameters, "transient", "Transient/End time"))
+          for (const std::string &one : folders_of_march(folder, parameters, "transient", "Transient"))
             transient_checkpoint(one).check_end_time(parameters.transient.end_time,
                                                      parameters.transient.least_step());
-          road_checkpoint(folder).check_end_time(road.end_time, road.time_step);
           for (const std::string &one :
-               folders_of_cases(folder, parameters, "modal convolution", "Modal convolution/End time"))
+               folders_of_march(folder, parameters, "modal convolution", "Modal convolution"))
             road_checkpoint(one).check_end_time(road.end_time, road.time_step);
           results = results_of_text(content(folder, "results.json"));
           check_files(folder, results.input_files, used);

@@ -176,6 +176,20 @@ namespace vibrocontact
       return kinds;
     }
 
+    /// The answers of the analysis that a signal stopped say so.
+    void mark_interrupted(const std::vector<Analysis> &analyses, const std::string &stopped,
+                          std::vector<Answer> &said)
+    {
+      std::set<std::string> own;
+      for (const Analysis &analysis : analyses)
+        if (analysis.type.name == stopped)
+          for (const AnswerKind &kind : kinds_of_answers({analysis}))
+            own.insert(kind.analysis);
+      for (Answer &answer : said)
+        if (own.count(answer.analysis) > 0)
+          answer.lines.push_back("INTERRUPTED: this is as far as it came");
+    }
+
     /// Analyses behind one that ended the run.
     void add_what_was_not_run(const std::vector<Analysis> &analyses, const Parameters &parameters,
                               Results &results)
@@ -227,12 +241,7 @@ namespace vibrocontact
       run_log().value("wall time", time_text(seconds_since(begin)));
       std::vector<Answer> said = answers(kinds_of_answers(analyses), results.analyses, record.folder);
       if (results.stopped_by != 0)
-        for (const Analysis &analysis : analyses)
-          if (analysis.type.name == results.running)
-            for (const AnswerKind &kind : kinds_of_answers({analysis}))
-              for (Answer &answer : said)
-                if (answer.analysis == kind.analysis)
-                  answer.lines.push_back("INTERRUPTED: this is as far as it came");
+        mark_interrupted(analyses, results.running, said);
       for (const Answer &answer : said)
       {
         run_log().block("Answer of " + answer.analysis);
