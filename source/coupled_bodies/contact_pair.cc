@@ -1,6 +1,8 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/coupled_bodies/contact_pair.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -338,6 +340,10 @@ namespace vibrocontact
     if (pair.residual_gradient.m() > 0)
       uncouple(sections, contacts, pair.residual_gradient);
     hold_across(pair);
+    const std::vector<double> omega = pair.frequencies();
+    if (!omega.empty() && std::any_of(bodies.begin(), bodies.end(),
+                                      [](const ContactBody &body) { return body.parameters->is_meshed(); }))
+      pair.modes_reach = *std::max_element(omega.begin(), omega.end()) / (2 * dealii::numbers::PI);
     return pair;
   }
 

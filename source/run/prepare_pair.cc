@@ -4,11 +4,6 @@
 #include <vibrocontact/run/prepare_pair.h>
 #include <vibrocontact/run/road_body.h>
 
-#include <deal.II/base/numbers.h>
-
-#include <algorithm>
-#include <limits>
-
 namespace vibrocontact
 {
   namespace
@@ -49,16 +44,6 @@ namespace vibrocontact
       if (contact.above == number || contact.below == number)
         return contact_rows(on_road.body, body.name, contact.grid, on_road.shapes);
     throw dealii::ExcInternalError();
-  }
-
-  double reach_of_modes(const Parameters &parameters, const ContactPair &pair)
-  {
-    const std::vector<BodyParameters> &bodies = parameters.scene.bodies;
-    const std::vector<double> omega = pair.frequencies();
-    if (omega.empty() || std::none_of(bodies.begin(), bodies.end(),
-                                      [](const BodyParameters &body) { return body.is_meshed(); }))
-      return std::numeric_limits<double>::infinity();
-    return *std::max_element(omega.begin(), omega.end()) / (2 * dealii::numbers::PI);
   }
 
   std::vector<ExactReceptance> exact_receptances(const MeshedBodies &bodies, const PlacedContacts &contacts,

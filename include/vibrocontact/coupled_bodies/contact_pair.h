@@ -8,6 +8,7 @@
 #include <vibrocontact/coupled_bodies/hub.h>
 #include <vibrocontact/scene/body.h>
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -64,6 +65,9 @@ namespace vibrocontact
     std::shared_ptr<const HalfSpaces> half_spaces;
     /// of each mode and of each pole its body, counted from 1 in the order of Bodies
     std::vector<unsigned int> body, body_of_pole;
+    /// the highest frequency of modes and poles of a pair with bodies of elements [Hz]: above, its motions are made by what these leave
+    /// out. Infinite: there are no such bodies, so that nothing is left out
+    double modes_reach = std::numeric_limits<double>::infinity();
     /// residual displacements of the contacts per force on body 1 at its first contact point along the normal [m/N]; 3 n, empty: none
     std::vector<double> force_residual;
     /// what of W~ relaxes; what it leaves of the residual follows forces at once

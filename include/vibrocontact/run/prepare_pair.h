@@ -27,10 +27,6 @@ namespace vibrocontact
                                              const std::optional<MeasuredData> &measured,
                                              unsigned int number);
 
-  /// The highest frequency of the modes and poles of a pair with bodies of elements [Hz]: above, its motions are made by what
-  /// these leave out. Infinite: there are no such bodies, so that nothing is left out.
-  double reach_of_modes(const Parameters &parameters, const ContactPair &pair);
-
   /// Of its periodic rails, in the rows of the contacts; they refer to `bodies`.
   /// @param with_poles beside TrackBody::moving(), from whose poles roots are sought; false: beside TrackBody::at_rest()
   std::vector<ExactReceptance> exact_receptances(const MeshedBodies &bodies, const PlacedContacts &contacts,

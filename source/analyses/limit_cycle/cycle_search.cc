@@ -141,7 +141,7 @@ namespace vibrocontact
     if (search.from)
       return {root_of_motion(search)};
     std::vector<StabilityRoot> roots = asked_roots(unstable_of(roots_of(search.scene)), search.own().roots);
-    const double reach = reach_of_modes(search.on.parameters, search.pair());
+    const double reach = search.pair().modes_reach;
     const auto beyond = std::stable_partition(
         roots.begin(), roots.end(), [reach](const StabilityRoot &root) { return root.frequency <= reach; });
     const auto n = roots.end() - beyond;

@@ -408,7 +408,6 @@ namespace vibrocontact
                                  [&](StabilityResult &&result, const RollingEquilibrium &about)
                                  {
                                    cases[k].result = std::move(result);
-                                   cases[k].result.modes_reach = reach_of_modes(one.parameters(), pair->pair);
                                    cases[k].about = about;
                                  });
             // which says why they are refused

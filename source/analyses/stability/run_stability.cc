@@ -156,16 +156,13 @@ namespace vibrocontact
       refuse(why, results);
       progress.advance();
     };
-    std::vector<StabilityResult> all =
+    const std::vector<StabilityResult> all =
         stability(parameters.stability, rolling, parameters.contacts, parameters.contact_solver, pair,
                   finished, roots_about, loss ? &*loss : nullptr, failed);
     if (!in_time.wrong.empty())
       refuse(in_time.wrong, results);
     if (all.empty())
       return;
-    for (StabilityResult &one : all)
-      if (parameters.stability.is_reduced())
-        one.modes_reach = reach_of_modes(parameters, pair);
     StabilityOutcome outcome;
     outcome.loss = parameters.stability.loss;
     outcome.results = all;

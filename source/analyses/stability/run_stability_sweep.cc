@@ -38,7 +38,6 @@ namespace vibrocontact
                           one.parameters().contact_solver, of_case.pair, [](const StabilityResult &) {}, {},
                           of_case.loss_or_null())
                           .front();
-      solved.result.modes_reach = reach_of_modes(one.parameters(), of_case.pair);
       const ContactPair &moving = solved.result.suspended ? *solved.result.suspended : of_case.pair;
       solved.labels = moving.labels;
       solved.omega = moving.frequencies();
@@ -69,7 +68,6 @@ namespace vibrocontact
                 parameters.stability, rolling_of_case(one), parameters.contacts, parameters.contact_solver,
                 bare.pair, [](const StabilityResult &) {}, roots_about, &*bare.loss)
                 .front();
-        equilibrium.result.modes_reach = reach_of_modes(parameters, bare.pair);
         equilibrium.labels = variants->bare_body().labels;
         equilibrium.omega = variants->bare_body().omega;
       }

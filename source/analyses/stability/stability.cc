@@ -183,6 +183,7 @@ namespace vibrocontact
         result.approach = equilibrium.solution.approach;
         result.contacts = equilibrium.contacts;
         result.hub = rolling.hub;
+        result.modes_reach = pair.modes_reach;
         found(std::move(result),
               rolling_equilibrium(equilibrium.solution, problem.friction_law, problem.normal_law,
                                   rolling.creepage.speed,
@@ -227,6 +228,8 @@ namespace vibrocontact
     {
       const auto begin = WallClock::now();
       result.suspended = suspended;
+      if (!parameters.is_reduced())
+        result.modes_reach = std::numeric_limits<double>::infinity();
       result.roots =
           roots_about ? roots_about(about) : all_roots(moving, scheme, about, parameters.options(), loss);
       if (result.roots.empty())

@@ -71,7 +71,7 @@ namespace vibrocontact
     unsigned int n_above = 0, n_growing_above = 0;
     /// whether they are some of all: those that a sweep follows
     bool followed = false;
-    /// the highest frequency that the modes kept carry [Hz], see reach_of_modes()
+    /// ContactPair::modes_reach [Hz]; infinite: another model than the reduced one
     double modes_reach = std::numeric_limits<double>::infinity();
     /// wall time of the eigenvalues [s]
     double seconds = 0;
