@@ -3,6 +3,7 @@ import argparse
 import csv
 import json
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -14,6 +15,14 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 # one BLAS thread per rank; mpirun also as root and with more ranks than cores
 ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
                    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+
+
+def take_kernels_of(path):
+    """Other programs get the kernels of OpenBLAS that ours has found: versions that do not know a processor take slow ones."""
+    said = subprocess.run([path, "--version"], text=True, stdout=subprocess.PIPE, env=ENVIRONMENT).stdout
+    found = re.search(r"kernels (\S+)$", said, re.MULTILINE)
+    if found:
+        ENVIRONMENT["OPENBLAS_CORETYPE"] = found[1]
 
 
 class Parser(argparse.ArgumentParser):
@@ -46,6 +55,7 @@ class Parser(argparse.ArgumentParser):
         if not works:
             last = (said.strip().splitlines() or ["no word"])[-1]
             self.refuse(f"{path} --parameters does not list the entries ({last}): build it anew, or name its build tree with --build")
+        take_kernels_of(path)
 
     def check_output(self, folder):
         """Makes the folder of results; refuses one that cannot be made or written to."""

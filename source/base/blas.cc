@@ -1,5 +1,8 @@
 #include <vibrocontact/base/blas.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
 
@@ -21,12 +24,53 @@ namespace vibrocontact
           return true;
       return false;
     }
+
+    /// a function of the library that is loaded, or null
+    template <typename Function>
+    Function *loaded(const char *name)
+    {
+      return reinterpret_cast<Function *>(dlsym(RTLD_DEFAULT, name));
+    }
+
+    void choose_kernels()
+    {
+      __builtin_cpu_init();
+      const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"),
+                 has_avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
+                              __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+                              __builtin_cpu_supports("avx512vl");
+      const std::string better = better_kernels(blas_kernels(), has_avx2, has_avx512);
+      auto *const leave = loaded<void()>("gotoblas_dynamic_quit"), *const choose = loaded<void()>(
+                                                                       "gotoblas_dynamic_init");
+      if (better.empty() || leave == nullptr || choose == nullptr)
+        return;
+      // an entry of the environment is not overwritten, and stays for the programs that draw figures
+      setenv("OPENBLAS_CORETYPE", better.c_str(), 0);
+      leave();
+      choose();
+    }
   } // namespace
 
-  void set_one_blas_thread()
+  std::string blas_kernels()
   {
-    if (auto *set_threads = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
+    auto *const name = loaded<char *()>("openblas_get_corename");
+    return name == nullptr ? "" : name();
+  }
+
+  std::string better_kernels(const std::string &kernels, const bool has_avx2, const bool has_avx512)
+  {
+    // what OpenBLAS falls back to, none of which uses AVX2
+    constexpr std::array<const char *, 4> fallbacks{{"Prescott", "Barcelona", "Nehalem", "Sandybridge"}};
+    if (!has_avx2 || std::find(fallbacks.begin(), fallbacks.end(), kernels) == fallbacks.end())
+      return "";
+    return has_avx512 ? "SkylakeX" : "Haswell";
+  }
+
+  void prepare_blas()
+  {
+    if (auto *const set_threads = loaded<void(int)>("openblas_set_num_threads"))
       set_threads(1);
+    choose_kernels();
   }
 
   std::string loaded_blas()

@@ -20,7 +20,7 @@ namespace vibrocontact
     int n_arguments = 1;
     dealii::Utilities::MPI::MPI_InitFinalize mpi(n_arguments, argv, 1);
     dealii::deal_II_exceptions::disable_abort_on_exception();
-    set_one_blas_thread();
+    prepare_blas();
     set_data_directory(data_directory);
     try
     {

@@ -35,12 +35,19 @@ namespace vibrocontact
 {
   namespace
   {
+    std::string blas_with_kernels()
+    {
+      const std::string kernels = blas_kernels();
+      return loaded_blas() + (kernels.empty() ? "" : ", kernels " + kernels);
+    }
+
     void print_text(const Tables &tables, const CommandLine &command_line)
     {
       const std::string text =
           command_line.help ? command_line_help()
           : command_line.version
-              ? "vibrocontact " + version() + " (" + commit() + ")\n"
+              ? "vibrocontact " + version() + " (" + commit() + ")\ndeal.II " + dealii_version() + "; BLAS " +
+                    blas_with_kernels() + "\n"
               : all_parameters(tables.analysis_types(), std::make_shared<const EntryTables>(tables));
       on_first_rank([&] { std::cout << text; });
     }
@@ -53,8 +60,8 @@ namespace vibrocontact
       if (!scene.title.empty())
         log.value("title", scene.title);
       log.value("ranks", dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+      log.value("BLAS", blas_with_kernels());
       const std::string blas = loaded_blas();
-      log.value("BLAS", blas);
       if (is_reference_blas(blas))
         log.line("This is the reference BLAS, large factorisations take up to 8 times longer than with "
                  "OpenBLAS: " +

@@ -46,7 +46,7 @@ namespace readers
     // of the arguments, which are not for PETSc, only the name
     int one = 1;
     const auto session = std::make_shared<Session>(one, argv);
-    vibrocontact::set_one_blas_thread();
+    vibrocontact::prepare_blas();
     dealii::deal_II_exceptions::disable_abort_on_exception();
     vibrocontact::run_log().set_screen(false);
     vibrocontact::run_log().open_file("/dev/null");

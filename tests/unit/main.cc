@@ -14,8 +14,8 @@ int main(int argc, char **argv)
 
   const vibrocontact::SingletonStart start;
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  // as the program does: tests run beside each other
-  vibrocontact::set_one_blas_thread();
+  // as the program does
+  vibrocontact::prepare_blas();
   const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
   if (rank != 0)
     delete testing::UnitTest::GetInstance()->listeners().Release(

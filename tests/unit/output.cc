@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -193,6 +194,22 @@ TEST(CommandLine, WrongOnesAreRefused)
   {
     EXPECT_NE(std::string(error.what()).find("did you mean \"--check\"?"), std::string::npos) << error.what();
   }
+}
+
+TEST(Blas, TakesTheKernelsOfThisProcessor)
+{
+  for (const char *fallback : {"Prescott", "Barcelona", "Nehalem", "Sandybridge"})
+  {
+    EXPECT_EQ(better_kernels(fallback, true, true), "SkylakeX");
+    EXPECT_EQ(better_kernels(fallback, true, false), "Haswell");
+    EXPECT_EQ(better_kernels(fallback, false, false), "");
+  }
+  for (const char *right : {"Haswell", "Zen", "SkylakeX", "Cooperlake", "Sapphirerapids", "armv8", ""})
+    EXPECT_EQ(better_kernels(right, true, true), "") << right;
+  // those of this process, unless slow ones were asked for
+  const char *asked = std::getenv("OPENBLAS_CORETYPE");
+  if (asked == nullptr || better_kernels(asked, true, false).empty())
+    EXPECT_EQ(better_kernels(blas_kernels(), __builtin_cpu_supports("avx2"), false), "") << blas_kernels();
 }
 
 TEST(Blas, IsJudgedByTheLibraryThatIsLoaded)
