@@ -358,7 +358,7 @@ namespace vibrocontact
     if (!std::isfinite(sum))
       throw ConvergenceError("The gaps of the contact problem '" + problem.title +
                              "' are no longer finite numbers.");
-    state.iterations = state.factorisations = state.linear_iterations = state.fallbacks = 0;
+    state.cost() = {};
     state.response_known = false;
     state.converged = true;
     switch (n)

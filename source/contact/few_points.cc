@@ -183,7 +183,7 @@ namespace vibrocontact
     std::copy_n(problem.b.begin(), n_rows, b.begin());
     if (state.approach != 0)
       problem.move(b, state.approach);
-    state.iterations = state.factorisations = state.linear_iterations = state.fallbacks = 0;
+    state.cost() = {};
     state.response_known = false;
     const ContactResidual judge(problem);
     double error = 0;

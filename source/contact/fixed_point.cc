@@ -149,7 +149,7 @@ namespace vibrocontact
     }
     else if (!problem.force_given())
       s.approach = problem.approach;
-    s.iterations = s.factorisations = s.linear_iterations = s.fallbacks = 0;
+    s.cost() = {};
     s.converged = s.response_known = false;
 
     std::vector<std::array<double, 3>> approach(n), share(n);

@@ -37,17 +37,14 @@ namespace vibrocontact
       return solver.solve(problem, solution);
     constexpr unsigned int max_rounds = 100;
     const bool response_known = solution.response_known;
-    unsigned int iterations = 0, factorisations = 0, linear_iterations = 0, fallbacks = 0;
+    SolverCost cost;
     std::vector<double> share(problem.mu.size(), 1.), missing(problem.mu.size(), 0.), step(missing);
     for (unsigned int round = 0; round < max_rounds; ++round)
     {
       // the response does not depend on mu
       solution.response_known = response_known;
       solver.solve(problem, solution);
-      solution.iterations = iterations += solution.iterations;
-      solution.factorisations = factorisations += solution.factorisations;
-      solution.linear_iterations = linear_iterations += solution.linear_iterations;
-      solution.fallbacks = fallbacks += solution.fallbacks;
+      solution.cost() = cost += solution.cost();
       if (!solution.converged)
         return;
       const std::vector<double> now = speed(solution);

@@ -20,7 +20,7 @@ namespace vibrocontact
     constexpr double tangential_factor = 0.4;
     constexpr unsigned int fixed_point_steps_in_fallback = 100;
     constexpr unsigned int max_halvings = 6, patience = 8;
-    /// of the tolerance, that the rounding of what a change moves may be, and that rounding in single precision
+    /// largest rounding error of a product as a share of the tolerance, and the relative one of single precision
     constexpr double rounding_of_tolerance = 0.01, single_rounding = 6e-8;
 
     bool all_finite(const DenseVector &v)
@@ -100,7 +100,7 @@ namespace vibrocontact
         s = ContactSolution();
         s.approach = problem->approach;
       }
-      s.iterations = s.factorisations = s.linear_iterations = s.fallbacks = 0;
+      s.cost() = {};
       s.converged = false;
       if (s.empty())
         frictionless_start(*problem, 1e-3, s);
@@ -247,10 +247,7 @@ namespace vibrocontact
     /// s <- best, with what the way has cost so far
     void go_back_to_best()
     {
-      best.iterations = s.iterations;
-      best.factorisations = s.factorisations;
-      best.linear_iterations = s.linear_iterations;
-      best.fallbacks = s.fallbacks;
+      best.cost() = s.cost();
       s = best;
     }
 

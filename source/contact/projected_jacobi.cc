@@ -63,7 +63,7 @@ namespace vibrocontact
     begin_with_earlier_ones();
     for (unsigned int i = 0; i < n; ++i)
       force[i] = std::max(0., -(gap[i] + by_others[0][i]) / diagonal);
-    state.iterations = state.factorisations = state.linear_iterations = state.fallbacks = 0;
+    state.cost() = {};
     state.response_known = false;
     double change = 0, size = 0;
     do

@@ -163,14 +163,8 @@ namespace vibrocontact
                          ContactSolution &state)
     {
       constexpr unsigned int max_rounds = 5;
-      unsigned int iterations = 0, factorisations = 0, linear_iterations = 0, fallbacks = 0;
-      const auto count = [&]
-      {
-        state.iterations = iterations += state.iterations;
-        state.factorisations = factorisations += state.factorisations;
-        state.linear_iterations = linear_iterations += state.linear_iterations;
-        state.fallbacks = fallbacks += state.fallbacks;
-      };
+      SolverCost cost;
+      const auto count = [&] { state.cost() = cost += state.cost(); };
       if (state.empty())
       {
         ContactProblem frictionless = problem;

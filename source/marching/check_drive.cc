@@ -17,7 +17,7 @@ namespace vibrocontact
 {
   namespace
   {
-    /// that a drive is looked at before a run
+    /// most instants at which a drive is looked at before a run
     constexpr unsigned int most_checked_instants = 20000;
 
     /// Where a function changes at once between two instants: the half in which it changes by more is halved until a steady

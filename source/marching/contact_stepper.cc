@@ -82,7 +82,7 @@ namespace vibrocontact
     problem.friction_law = friction_laws.at(points);
     problem.by_approach = on_points(by_approach, points);
     problem.to_force = on_points(to_force, points);
-    problem.b.reinit(step_operator->n_rows());
+    problem.b.reinit(step_operator->n_response_rows());
   }
 
   void ContactStepper::set_end_of_shapes()
@@ -137,7 +137,7 @@ namespace vibrocontact
     }
 
     const DenseVector rigid = rigid_slip(pair.interface.contacts, scheme, drive.creepage);
-    unsigned int iterations = 0;
+    SolverCost cost;
     do
     {
       take_points(state.nearby);
@@ -147,10 +147,10 @@ namespace vibrocontact
         solve_with_modal_slip_in_friction(state, solver);
       else
         solver.solve(problem, solution);
-      iterations += solution.iterations;
+      cost += solution.cost();
       set_end_of_shapes();
     } while (closes_another(state, drive.force));
-    solution.iterations = iterations;
+    solution.cost() = cost;
     take_over(state, rigid);
     state.hub_acceleration = drive.hub_acceleration;
     state.force = drive.force;
@@ -249,7 +249,7 @@ namespace vibrocontact
 
     problem.b = 0;
     add_kept(state, drive.force, rows, problem.b.begin() + 3 * m);
-    solution.y.reinit(A.n_rows());
+    solution.y.reinit(A.n_response_rows());
     for (unsigned int k = 0; k < rows.size(); ++k)
       solution.y[3 * m + k] = state.residual_displacement[rows[k]] +
                               next_change(state.residual_change, state.residual_change_before, rows[k]);
@@ -374,15 +374,13 @@ namespace vibrocontact
       state.v[k] = v[k] + steps[k].g1[1] * state.modal_force[k];
     }
     state.time += h;
+    state.last_step = h;
     set_powers(state.R, state.contact.y, rigid, n, rate, state);
 
     ContactSolution &to = state.contact;
     to.approach = solution.approach;
     to.converged = solution.converged;
     to.residual = solution.residual;
-    to.iterations = solution.iterations;
-    to.factorisations = solution.factorisations;
-    to.linear_iterations = solution.linear_iterations;
-    to.fallbacks = solution.fallbacks;
+    to.cost() = solution.cost();
   }
 } // namespace vibrocontact

@@ -127,7 +127,6 @@ namespace vibrocontact
 
   bool MarchCheckpoint::read(March &march, const Recorders &recorders) const
   {
-    check_end_time(march.end_time());
     return read_part(march.marks(),
                      [&](CheckpointFile &file, const double time)
                      {

@@ -20,7 +20,7 @@ namespace vibrocontact
     constexpr double worn_share = 0.75;
     /// steps after which W~ R is computed anew: the round-off of its changes grows with the steps^(3/2)
     constexpr unsigned int longest_without_search = 64;
-    /// that a look at the points that are not nearby stands for: where it is needed often, a search finds more to be nearby
+    /// steps that one look at the points that are not nearby counts as: where it is needed often, a search finds more to be nearby
     constexpr unsigned int steps_of_a_look = 8;
   } // namespace
 
@@ -50,9 +50,9 @@ namespace vibrocontact
     const unsigned int n = pair.n_points();
     set_residual_displacement_and_changes(pair, state);
     // rows that were not nearby have no rate yet: theirs begins with a backward difference
-    for (unsigned int i = n; i < 3 * n; ++i)
+    for (unsigned int i = n; i < 3 * n && state.last_step > 0; ++i)
       if (state.residual_rate[i] == 0)
-        state.residual_rate[i] = state.residual_change[i] / matrices.step;
+        state.residual_rate[i] = state.residual_change[i] / state.last_step;
     DenseVector gap;
     set_gaps(state, shapes, state.contact.approach, state.force, gap);
 

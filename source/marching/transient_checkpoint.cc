@@ -12,6 +12,7 @@ namespace vibrocontact
     void exchange_state(CheckpointFile &file, DynamicState &state)
     {
       file("state/time", state.time);
+      file("state/last_step", state.last_step);
       file("state/q", state.q);
       file("state/v", state.v);
       file("state/R", state.R);
@@ -69,6 +70,7 @@ namespace vibrocontact
       for (const TransientResult::ModalMotion &one : result.modal_motions)
         motions.insert(motions.end(), {one.time, one.q, one.q_square, one.v_square});
       file("result/modal_motions", motions);
+      file("result/middle", result.middle);
       result.modal_motions.resize(motions.size() / 4);
       for (std::size_t k = 0; k < result.modal_motions.size(); ++k)
         result.modal_motions[k] = {motions[4 * k], motions[4 * k + 1], motions[4 * k + 2],
@@ -102,6 +104,7 @@ namespace vibrocontact
       file("errors/averaged_time", errors.averaged_time);
       file("errors/impulse_square", errors.impulse_square);
       file("errors/rms_square", errors.rms_square);
+      file("errors/last_quarter", errors.last_quarter);
     }
 
     double weight(const unsigned int row)
@@ -131,7 +134,7 @@ namespace vibrocontact
     }
 
     /// of what is exchanged
-    constexpr int format = 19;
+    constexpr int format = 20;
 
     std::string file_of(const std::string &folder)
     {

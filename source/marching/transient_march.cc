@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <sstream>
 
@@ -63,6 +64,7 @@ namespace vibrocontact
       const Forces then_forces = forces_of(next);
       add(result, h, forces.on_body, then_forces.on_body);
       const PlacedContacts &contacts = pair.interface.contacts;
+      double least = std::numeric_limits<double>::infinity();
       unsigned int first = 0;
       for (unsigned int k = 0; k < contacts.all.size(); ++k)
       {
@@ -71,10 +73,14 @@ namespace vibrocontact
           return {{all.of_contacts[k][1], all.of_contacts[k][2], all.of_contacts[k][0]}};
         };
         add(sums, h, local(forces), local(then_forces));
-        for (const unsigned int end = first + contacts.all[k].grid.n_points(); first < end; ++first)
-          sums.smallest_gap = std::min(sums.smallest_gap, next.contact.y[first]);
-        result.smallest_gap = std::min(result.smallest_gap, sums.smallest_gap);
+        const double *const gaps = next.contact.y.data() + first;
+        const unsigned int n_points = contacts.all[k].grid.n_points();
+        const double gap = *std::min_element(gaps, gaps + n_points);
+        take_smallest_gap(gap, sums);
+        least = std::min(least, gap);
+        first += n_points;
       }
+      take_smallest_gap(least, result);
       forces = then_forces;
       add_modal_motions(h);
       add_step(result.energy, pair, law, scheme, state, now, next, then);
@@ -100,14 +106,20 @@ namespace vibrocontact
       return forces;
     }
 
+    void take_smallest_gap(const double gap, ForceSums &sums) const
+    {
+      sums.smallest_gap = result.steps == 1 ? gap : std::min(sums.smallest_gap, gap);
+    }
+
     /// The exact propagator has no error of modes that nothing touches.
     void add_modal_motions(const double h)
     {
       if (next.time <= half_time)
         return;
-      // a run that was resumed with an earlier end may be beyond its middle
-      if (state.time <= half_time || result.modal_motions.empty())
+      // a run that was resumed with another end has another middle, and may be beyond it
+      if (state.time <= half_time || result.modal_motions.empty() || result.middle != half_time)
         result.modal_motions.assign(pair.n_modes(), {});
+      result.middle = half_time;
       if (propagates_exactly && next.R.all_zero() && state.R.all_zero())
         return;
       for (unsigned int k = 0; k < pair.n_modes(); ++k)
@@ -181,7 +193,11 @@ namespace vibrocontact
       errors.time = time;
       errors.impulse = impulse;
       errors.rms_force = rms_force;
-      if (time < 0.75 * end_time)
+      const double last_quarter = 0.75 * end_time;
+      if (errors.last_quarter != last_quarter)
+        errors.averaged_time = errors.impulse_square = errors.rms_square = 0;
+      errors.last_quarter = last_quarter;
+      if (time < last_quarter)
         return;
       errors.averaged_time += h;
       errors.impulse_square += h * impulse * impulse;

@@ -158,6 +158,11 @@ for column, values in histories(bar.folder("earlier")).items():
 bar.run("later", "--set", "Transient/End time=4")
 bar.run("later", "--resume")
 bar.check("later")
+# errors are those of the last quarter, whatever the first end was
+whole, later = (results(bar.folder(case))["analyses"]["transient"] for case in ("whole", "later"))
+for key in ("estimated_error", "estimated_error_rms_force"):
+    if not abs(later[key] - whole[key]) <= 1e-9 * whole[key]:
+        fail(f"{key} is {later[key]} with a later end, {whole[key]} at once")
 # what is refused, in one sentence, without harm
 for setting, text in (("Transient/Theta=0.6", "Transient/Theta"), ("Transient/End time=1", "End time"),
                       ("Contact/Friction coefficient=0.123", "Contact/Friction coefficient"),

@@ -51,8 +51,9 @@ TEST(Checkpoint, OfOtherBodiesIsRefused)
     EXPECT_EQ(again.state.time, march.state.time);
     EXPECT_EQ(again.state.R[0], march.state.R[0]);
     EXPECT_EQ(again.sums.steps, march.sums.steps);
-    EXPECT_NO_THROW(checkpoint.check_end_time(march.state.time));
-    EXPECT_THROW(checkpoint.check_end_time(0.12), InputError);
+    // a last step may end by rounding beyond the last time
+    EXPECT_NO_THROW(checkpoint.check_end_time(march.state.time - 5e-10, 1e-3));
+    EXPECT_THROW(checkpoint.check_end_time(march.state.time - 2e-9, 1e-3), InputError);
     // of another format
     EXPECT_THROW(MarchCheckpoint(folder + "/checkpoint.h5", "Transient", 0).read(again, {}), InputError);
 

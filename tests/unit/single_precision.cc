@@ -156,9 +156,9 @@ TEST(StepOperator, ChangesInSinglePrecisionAreThoseOfTheWholeProduct)
         change[c * m + i] = std::sin(1. + i + 10 * c);
     A.vmult(y, change, sources);
     A.vmult_change(single, change, sources);
-    ASSERT_EQ(single.size(), A.n_rows());
+    ASSERT_EQ(single.size(), A.n_response_rows());
     // gaps, slips and residual displacements, each beside the largest of its kind
-    const std::vector<unsigned int> begins = {0, m, 3 * m, A.n_rows()};
+    const std::vector<unsigned int> begins = {0, m, 3 * m, A.n_response_rows()};
     for (unsigned int kind = 0; kind < 3; ++kind)
     {
       double largest = 0, off = 0;
@@ -185,6 +185,6 @@ TEST(StepOperator, ChangesOfFewPointsAreInDoublePrecision)
     change[i] = std::sin(1. + i);
   A.vmult(y, change, {0, 1, 2, 3, 4});
   A.vmult_change(same, change, {0, 1, 2, 3, 4});
-  for (unsigned int row = 0; row < A.n_rows(); ++row)
+  for (unsigned int row = 0; row < A.n_response_rows(); ++row)
     EXPECT_EQ(same[row], y[row]) << row;
 }

@@ -48,11 +48,12 @@ namespace
     double impulse, energy, penetration, peak, rebound;
   };
 
-  Outcome bounce(TransientParameters parameters, const unsigned int n_modes, const double step)
+  Outcome bounce(TransientParameters parameters, const unsigned int n_modes, const double step,
+                 const double end_time = 1.5)
   {
     const ContactPair pair = bar(n_modes);
     parameters.time_step = step;
-    parameters.end_time = 1.5;
+    parameters.end_time = end_time;
     parameters.initial_state = "undeformed";
     parameters.initial_gap = gap;
     parameters.initial_velocity = -speed;
@@ -101,4 +102,10 @@ TEST(Transient, BouncingBar)
           std::printf("%-20s %-16s %6.2f %9.1e  %+10.2e %+10.2e %10.2e %8.3f\n", integrator.c_str(),
                       reaction.c_str(), theta, step, o.impulse, o.energy, o.penetration, o.peak);
         }
+}
+
+TEST(Transient, TheSmallestGapOfWhatDoesNotLandIsOpen)
+{
+  const double end_time = 0.3;
+  EXPECT_NEAR(-bounce({}, 21, 1e-3, end_time).penetration, gap - speed * end_time, 1e-9);
 }

@@ -83,8 +83,23 @@ namespace vibrocontact
     slip = 2
   };
 
+  /// What solutions have cost, counted.
+  struct SolverCost
+  {
+    unsigned int iterations = 0, factorisations = 0, linear_iterations = 0, fallbacks = 0;
+
+    SolverCost &operator+=(const SolverCost &more)
+    {
+      iterations += more.iterations;
+      factorisations += more.factorisations;
+      linear_iterations += more.linear_iterations;
+      fallbacks += more.fallbacks;
+      return *this;
+    }
+  };
+
   /// A state of the contact and how it was reached.
-  struct ContactSolution
+  struct ContactSolution : SolverCost
   {
     /// (N, Tx, Ty) on body 1 [N], (gap [m], slip_x, slip_y [m/s]); rows of the problem each
     DenseVector R, y;
@@ -96,10 +111,11 @@ namespace vibrocontact
     bool converged = false;
     /// relative size of R - projections, see ContactResidual
     double residual = 0;
-    unsigned int iterations = 0, factorisations = 0, linear_iterations = 0, fallbacks = 0;
     /// of those who ask for a solution, not for a step
     double seconds = 0;
     bool empty() const { return R.size() == 0; }
+    SolverCost &cost() { return *this; }
+    const SolverCost &cost() const { return *this; }
     /// whether all forces and the approach are finite numbers: what can be started from
     bool is_finite() const;
   };

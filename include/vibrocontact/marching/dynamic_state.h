@@ -12,6 +12,8 @@ namespace vibrocontact
   struct DynamicState
   {
     double time = 0;
+    /// length of the step that led here; 0: none did [s]
+    double last_step = 0;
     /// modal amplitudes [m sqrt(kg)] and velocities; n_modes
     std::vector<double> q, v;
     /// forces on body 1 [N]; residual displacements, W~ R where nothing relaxes [m], without what the given force answers

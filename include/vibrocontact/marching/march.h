@@ -12,7 +12,7 @@ namespace vibrocontact
   /// Numbers that tell bodies apart, by name.
   using Marks = std::vector<std::pair<std::string, std::vector<double>>>;
 
-  /// of a step, by which its end may lie beyond the last time
+  /// share of a step by which its end may lie beyond the last time
   constexpr double rounding_of_times = 1e-6;
 
   /// Whole steps up to an end [s]; never beyond it, where tables may stop.

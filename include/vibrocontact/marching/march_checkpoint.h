@@ -24,7 +24,7 @@ namespace vibrocontact
     /// To be called by rank 0. @throws OutputError
     void write(March &march, const Recorders &recorders) const;
     /// On every rank; recorders on rank 0. @return false: there is no checkpoint
-    /// @throws InputError if it is damaged, of another version, of other bodies or beyond the end of the march
+    /// @throws InputError if it is damaged, of another version or of other bodies
     bool read(March &march, const Recorders &recorders) const;
     /// What another computation goes on from. @param marks that it has to agree with
     /// @param exchange reads it, is given the time of the march [s]
@@ -32,7 +32,7 @@ namespace vibrocontact
     bool read_part(const Marks &marks, const std::function<void(CheckpointFile &, double)> &exchange) const;
     /// @throws InputError if there is a checkpoint beyond the end time [s], or one that read() would refuse for itself
     /// @param time_step of the march, which ends at whole ones [s]
-    void check_end_time(double end_time, double time_step = 0) const;
+    void check_end_time(double end_time, double time_step) const;
 
   private:
     /// null: there is none

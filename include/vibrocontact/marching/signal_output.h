@@ -25,7 +25,7 @@ namespace vibrocontact
   /// What is made of the signals of a run: for the object of its analysis in results.json
   ///
   /// - `dominant_frequencies_Hz`: peaks of the first signal's spectrum, the largest first
-  /// - `signals[]`: `name`, `unit`, `spectrum_window_s`, `peaks[]` (`frequency_Hz`, `amplitude`; at most ten
+  /// - `signals[]`: `name`, `unit`, `varies`, `rms`, `slow_part`, `spectrum_window_s`, `peaks[]` (`frequency_Hz`, `amplitude`; at most ten
   ///   above 1 % of the largest), `cycle` (`frequency_Hz`, `amplitude`, `rms`, `drift`, `spread`, `periods`;
   ///   see CycleMeasure), `level_dB` and `level_reference_m_s` of a velocity (rms in the window of the spectrum),
   ///   `growth_window_s`, `growth[]` (`frequency_Hz`, `growth_1_s`, null where nothing grows or decays exponentially,

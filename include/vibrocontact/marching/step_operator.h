@@ -91,7 +91,7 @@ namespace vibrocontact
     /// (W~ R)_n at the other points [m]
     void residual_gaps_of_others(const DenseVector &R, DenseVector &gaps) const;
     /// size of y
-    unsigned int n_rows() const { return 3 * nearby.size() + rows.size(); }
+    unsigned int n_response_rows() const { return 3 * nearby.size() + rows.size(); }
     /// Whether d/dx of W~ is more than differences of the residual displacements in y.
     bool has_gradient() const { return matrices.residual_gradient.m() > 0; }
     /// Rows of each y for displacements and velocities of the shapes and the residual displacements that it already

@@ -15,7 +15,7 @@ namespace vibrocontact
     double impulse = 0, force_square = 0;
     /// integral of the tangential resultant's square [N^2 s]
     double tangential_square = 0;
-    /// least gap seen, negative: penetration [m]
+    /// least gap at the ends of the steps, negative: penetration [m]
     double smallest_gap = 0;
   };
 
@@ -42,6 +42,8 @@ namespace vibrocontact
       double time = 0, q = 0, q_square = 0, v_square = 0;
     };
     std::vector<ModalMotion> modal_motions;
+    /// the middle of the run that they were begun for [s]
+    double middle = 0;
 
     /// of the normal force, of what it departs from its mean by, and of the tangential resultant, over the run [N]
     double rms_force() const;
@@ -61,5 +63,7 @@ namespace vibrocontact
     double rms_tangential = 0;
     /// integrals over the last quarter so far: of 1 and of the squares of what both runs tell [s]
     double averaged_time = 0, impulse_square = 0, rms_square = 0;
+    /// where that quarter begins [s]: a run that is resumed with another end begins another one
+    double last_quarter = 0;
   };
 } // namespace vibrocontact
