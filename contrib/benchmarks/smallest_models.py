@@ -56,6 +56,8 @@ def verdict(scene, knob, rows):
     by_label = {label: (wrong, cost) for label, wrong, cost, _ in rows}
     if all(wrong is None for _, wrong, _, _ in rows):
         return "", None, None, "nothing compared"
+    if not scene.exact and rows[-1][1] is None:
+        return "", None, None, "the finest value failed"
     last = len(rows) if scene.exact else len(rows) - 1
     smallest = None
     for label, wrong, _, _ in reversed(rows[:last]):

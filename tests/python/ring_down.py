@@ -20,10 +20,17 @@ class Oscillator(unittest.TestCase):
         np.testing.assert_allclose(times, np.arange(len(times)) * np.pi / damped, atol=1e-8)
         motion = vc.ring_down(times, places)
         np.testing.assert_allclose(motion.frequency_Hz, damped / (2 * np.pi), rtol=2e-6)
-        np.testing.assert_allclose(motion.damping_ratio[1:-1], zeta / np.sqrt(1 - zeta**2), rtol=1e-4)
+        np.testing.assert_allclose(motion.damping_ratio[1:-1], zeta, rtol=1e-4)
         self.assertTrue(np.isnan(motion.damping_ratio[[0, -1]]).all())
         half = np.pi * zeta / np.sqrt(1 - zeta**2)
         np.testing.assert_allclose(motion.amplitude_m, (1 + np.exp(-half)) / 2 * np.exp(-half * np.arange(len(times) - 1)), rtol=1e-5)
+
+    def test_samples_at_rest(self):
+        # sampled where it turns
+        time = np.arange(0, 13, 0.5)
+        times, places = vc.turning_points(time, np.cos(np.pi / 2 * time), -np.pi / 2 * np.sin(np.round(time * 2) * np.pi / 4) * (np.round(time * 2) % 4 != 0))
+        np.testing.assert_allclose(times, np.arange(0, 13, 2), atol=1e-12)
+        np.testing.assert_allclose(places, (-1.) ** np.arange(7), atol=1e-12)
 
     def test_nothing_turns(self):
         times, places = vc.turning_points([0, 1, 2], [0, 1, 2], [1, 1, 1])

@@ -27,9 +27,10 @@ def draw(results: Folder, contact_table: Union[str, Path, None] = None) -> Dict[
 
 def scene(case: Case, folder: Union[str, Path]) -> Path:
     """The scene of a case: bodies, contact points, supports. Nothing is run; the picture is in `folder`. Raises InputError too."""
-    case.check(folder)
     picture = Path(folder) / "figures" / "scene.png"
-    if not picture.exists():  # Output/Figures = false
+    picture.unlink(missing_ok=True)  # of another case
+    case.check(folder)
+    if not picture.exists():  # the program's own python has no matplotlib
         _plot("--scene", str(folder))
     return picture
 

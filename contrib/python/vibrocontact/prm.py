@@ -21,9 +21,9 @@ def statements(text: str) -> Iterator[Tuple[str, str]]:
             begun = line[:-1].strip() + " "
             continue
         begun = ""
-        keyword, _, rest = line.partition(" ")
-        if keyword:
-            yield keyword, rest.strip()
+        if line:
+            keyword, *rest = line.split(None, 1)
+            yield keyword, "".join(rest)
 
 
 def read_entries(text: str) -> Dict[str, str]:
@@ -51,8 +51,8 @@ def value_text(path: str, value: Any) -> str:
         return repr(value)
     if isinstance(value, (str, Path)):
         text = str(value).strip()
-        if any(letter in text for letter in "#\n\r"):
-            raise InputError(f'{path} is "{text}", but a value stands on one line and holds no "#": write it without')
+        if any(letter in text for letter in "#\n\r") or text.endswith("\\"):
+            raise InputError(f'{path} is "{text}", but a value stands on one line, holds no "#" and ends in no backslash: write it without')
         return text
     if isinstance(value, Sequence):
         return ", ".join(value_text(path, one) for one in value)

@@ -22,7 +22,10 @@ class RingDown(NamedTuple):
 def turning_points(time: ArrayLike, place: ArrayLike, speed: ArrayLike) -> Tuple[Array, Array]:
     """Times and places where a motion turns; it may start with one. Between two samples the motion is a parabola."""
     t, x, v = (np.asarray(values, dtype=float) for values in (time, place, speed))
-    k = np.flatnonzero(v[:-1] * v[1:] < 0)
+    # a sample at rest belongs to the way that led to it
+    moving = np.flatnonzero(v)
+    sign = np.sign(v[moving])[np.maximum(np.searchsorted(moving, np.arange(len(v)), side="right") - 1, 0)] if len(moving) else np.zeros(len(v))
+    k = np.flatnonzero(sign[:-1] * sign[1:] < 0)
     share = v[k] / (v[k] - v[k + 1])
     at = t[k] + share * (t[k + 1] - t[k])
     near = k + (share > 0.5)
@@ -35,5 +38,6 @@ def ring_down(times: ArrayLike, places: ArrayLike) -> RingDown:
     """Frequency and damping over the amplitude, from turning_points()."""
     ways = np.abs(np.diff(places))
     damping = np.full(len(ways), np.nan)
-    damping[1:-1] = np.log(ways[:-2] / ways[2:]) / (2 * np.pi)
+    decrement = np.log(ways[:-2] / ways[2:])
+    damping[1:-1] = decrement / np.hypot(2 * np.pi, decrement)
     return RingDown(ways / 2, 0.5 / np.diff(times), damping)
