@@ -422,6 +422,8 @@ namespace vibrocontact
           curve.end = Curve::End::stalled;
           return curve;
         }
+        if (const double slope = std::abs(base.tangent.back()); s.longest_change && slope > 0)
+          step = std::min(step, std::max(s.longest_change(base) / (slope * s.p_scale), s.min_step));
         Vector along = base.tangent;
         std::optional<CurvePoint> next = ahead(base, along, step);
         const bool may_turn = step <= s.kink_step;

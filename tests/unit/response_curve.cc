@@ -208,6 +208,45 @@ TEST(ResponseCurve, FoldsByTwoMethodsAndGrazing)
   }
 }
 
+TEST(ResponseCurve, NarrowResonancesAreMetWhereNothingTouches)
+{
+  ForcedBody body = axial_bar(bar_case);
+  body.gap = {10.};
+  body.damping_ratio.assign(body.n_modes(), 1e-4);
+  BalanceSettings balance_settings;
+  balance_settings.n_functions = 9;
+  PeriodicBalance balance(body,
+                          create_normal_law("exponential penalty", {bar_case.amplitude, bar_case.exponent}),
+                          balance_settings);
+  balance.set_force(bar_case.excitation());
+  for (const int direction : {1, -1})
+  {
+    BranchSettings settings;
+    settings.least = 10;
+    settings.most = 10000;
+    settings.start = direction > 0 ? settings.least : settings.most;
+    settings.direction = direction;
+    settings.stability = StabilityMethod::none;
+    const ResponseCurve curve = follow_response(balance, settings);
+    EXPECT_TRUE(curve.complete) << curve.reason;
+    EXPECT_LT(curve.points.size(), 400u);
+    unsigned int n_resonances = 0;
+    for (const double omega : body.omega)
+    {
+      const double f = omega / (2 * M_PI);
+      if (f > settings.most)
+        continue;
+      ++n_resonances;
+      double largest = 0;
+      for (const BranchPoint &point : curve.points)
+        if (std::abs(point.excitation.frequency / f - 1) < 0.01)
+          largest = std::max(largest, point.amplitude);
+      EXPECT_NEAR(largest / linear_amplitude(body, f), 1, 1e-3) << f;
+    }
+    EXPECT_EQ(n_resonances, 4u);
+  }
+}
+
 TEST(ResponseCurve, BothDirectionsAreOneCurve)
 {
   const auto balance = balance_of(63);

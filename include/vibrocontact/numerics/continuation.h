@@ -3,6 +3,7 @@
 #include <vibrocontact/base/dense.h>
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,29 +22,6 @@ namespace vibrocontact
     virtual std::size_t piece() const { return 0; }
     /// functions whose zeros along the curve are wanted
     virtual std::vector<double> events(const std::vector<double> &, double) { return {}; }
-  };
-
-  /// Lengths are those of y = (x / x_scale, p / p_scale).
-  struct ContinuationSettings
-  {
-    double x_scale = 1, p_scale = 1, residual_scale = 1;
-    /// the curve ends on these
-    double p_min = -1e300, p_max = 1e300;
-    /// arc lengths
-    double first_step = 1e-2, min_step = 1e-9, max_step = 0.2;
-    /// steps shorter than that may turn by any angle: there is a kink
-    double kink_step = 1e-4;
-    /// largest angle between tangents of neighbours [rad]
-    double max_angle = 0.3;
-    /// |R| / residual_scale
-    double tolerance = 1e-10;
-    unsigned int max_newton = 8, max_points = 5000;
-    /// a curve that comes no farther than a tenth of max_step by so many points has lost its way
-    unsigned int most_stalled = 300;
-    /// of p at folds and events
-    double location_tolerance = 1e-6;
-    /// sign of dp at the start, unless the start has a tangent
-    int direction = 1;
   };
 
   struct CurvePoint
@@ -67,6 +45,31 @@ namespace vibrocontact
     /// arc length to this point from the one before, Newton's steps to it
     double step = 0;
     unsigned int iterations = 0;
+  };
+
+  /// Lengths are those of y = (x / x_scale, p / p_scale).
+  struct ContinuationSettings
+  {
+    double x_scale = 1, p_scale = 1, residual_scale = 1;
+    /// the curve ends on these
+    double p_min = -1e300, p_max = 1e300;
+    /// arc lengths
+    double first_step = 1e-2, min_step = 1e-9, max_step = 0.2;
+    /// steps shorter than that may turn by any angle: there is a kink
+    double kink_step = 1e-4;
+    /// largest angle between tangents of neighbours [rad]
+    double max_angle = 0.3;
+    /// |R| / residual_scale
+    double tolerance = 1e-10;
+    unsigned int max_newton = 8, max_points = 5000;
+    /// a curve that comes no farther than a tenth of max_step by so many points has lost its way
+    unsigned int most_stalled = 300;
+    /// of p at folds and events
+    double location_tolerance = 1e-6;
+    /// sign of dp at the start, unless the start has a tangent
+    int direction = 1;
+    /// largest change of p on from a point, for what x does not show; null: any
+    std::function<double(const CurvePoint &)> longest_change;
   };
 
   struct Curve

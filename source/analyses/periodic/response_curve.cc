@@ -3,10 +3,13 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/numerics/cycle_measure.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/timer.h>
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <limits>
 
 namespace vibrocontact
 {
@@ -135,6 +138,44 @@ namespace vibrocontact
       }
       return scale > 0 ? scale : 1.;
     }
+
+    /// A resonance of the body without contact, and how far from it half of its power is left [Hz].
+    struct Resonance
+    {
+      double frequency, half_width;
+    };
+
+    /// Those that the exciting force drives.
+    std::vector<Resonance> resonances(const ForcedBody &body)
+    {
+      constexpr double per_turn = 1 / (2 * dealii::numbers::PI);
+      std::vector<Resonance> result;
+      for (unsigned int k = 0; k < body.omega.size(); ++k)
+        if (body.omega[k] > 0 && body.modal_force(k) != 0)
+          result.push_back({body.omega[k] * per_turn, body.damping_ratio[k] * body.omega[k] * per_turn});
+      for (const std::complex<double> &pole : body.poles)
+        result.push_back({std::abs(pole) * per_turn, std::abs(pole.real()) * per_turn});
+      return result;
+    }
+
+    /// Largest change of the frequency from a point of open contact, where the unknown forces are zero and do not see the body
+    /// resonate: resonances ahead are come near by halves and met, those behind are left by twice the distance. What nothing damps is passed.
+    double longest_change(const std::vector<Resonance> &resonances, const double frequency,
+                          const bool upwards)
+    {
+      constexpr double least_width = 1e-3, met = 1e-6;
+      double longest = std::numeric_limits<double>::infinity();
+      for (const auto &[at, half_width] : resonances)
+      {
+        const double width = half_width > 0 ? half_width : least_width * at,
+                     ahead = upwards ? at - frequency : frequency - at;
+        if (ahead > met * width)
+          longest = std::min(longest, half_width > 0 && ahead <= width ? ahead : std::max(width, ahead / 2));
+        else
+          longest = std::min(longest, std::max(width / 2, -ahead));
+      }
+      return longest;
+    }
   } // namespace
 
   void merge_folds(ResponseCurve &curve)
@@ -235,6 +276,15 @@ namespace vibrocontact
     continuation.location_tolerance = settings.location_tolerance;
     continuation.direction = settings.direction;
     continuation.tolerance = balance.settings.tolerance;
+    if (settings.parameter == SceneParameter::frequency)
+      continuation.longest_change =
+          [all = resonances(body), open = 1e-9 * continuation.x_scale](const CurvePoint &point)
+      {
+        const bool is_open = std::all_of(point.x.begin(), point.x.end(),
+                                         [open](const double force) { return std::abs(force) <= open; });
+        return is_open ? longest_change(all, point.p, point.tangent.back() > 0)
+                       : std::numeric_limits<double>::infinity();
+      };
     CurvePoint start;
     start.x = first.force;
     start.p = settings.start;
