@@ -121,8 +121,37 @@ namespace vibrocontact
       data.entries[entry].values[l] /= std::pow(Complex(0, 2 * M_PI * data.frequency[l]), power);
   }
 
+  namespace
+  {
+    /// What is cut off stands in no line: they would be those of another body.
+    void check_decay(const FrequencyData &data, const double step)
+    {
+      constexpr double most_left = 0.05;
+      double largest = 0, left = 0;
+      for (const FrequencyData::Entry &entry : data.entries)
+      {
+        const std::size_t n = entry.values.size(), n_last = std::max<std::size_t>(1, n / 10);
+        double square = 0;
+        for (std::size_t i = 0; i < n; ++i)
+        {
+          largest = std::max(largest, std::abs(entry.values[i]));
+          square += i + n_last >= n ? std::norm(entry.values[i]) : 0;
+        }
+        left = std::max(left, std::sqrt(square / n_last));
+      }
+      if (left > most_left * largest)
+        throw InputError("The data \"" + data.file_name + "\" end at " +
+                         number_text(data.entries.front().values.size() * step) +
+                         " s, before the impulse responses have decayed: the last tenth has an rms of " +
+                         percent_text(left / largest) +
+                         " of their largest value. Give longer ones, down to " + percent_text(most_left) +
+                         ".");
+    }
+  } // namespace
+
   void transform_to_frequency(FrequencyData &data, const double step)
   {
+    check_decay(data, step);
     const int n = data.entries.front().values.size();
     std::vector<double> samples(n);
     std::vector<Complex> lines(n / 2 + 1);

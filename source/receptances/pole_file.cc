@@ -65,6 +65,18 @@ namespace vibrocontact
       check_size(table, "pole_imag_1_s", k);
     }
 
+    void check_given_once(const CsvTable &table, const std::size_t k)
+    {
+      constexpr double same = 1e-9;
+      const std::vector<double> &real = table.column("pole_real_1_s"), &imag = table.column("pole_imag_1_s");
+      for (std::size_t i = 0; i < k; ++i)
+        if (std::hypot(real[i] - real[k], std::abs(imag[i]) - std::abs(imag[k])) <=
+            same * std::hypot(real[k], imag[k]))
+          throw InputError("The table \"" + table.source + "\", line " + std::to_string(table.lines[k]) +
+                           ", has the pole of line " + std::to_string(table.lines[i]) +
+                           " again, or its conjugate: give one of both, once.");
+    }
+
     double constant(const CsvTable &table, const std::string &name)
     {
       const std::vector<double> *const values = table.find(name);
@@ -89,6 +101,7 @@ namespace vibrocontact
     for (std::size_t k = 0; k < real.size(); ++k)
     {
       check_pole(table, k);
+      check_given_once(table, k);
       file.fit.poles.emplace_back(real[k], imag[k]);
     }
     const std::vector<std::string> pairs = pairs_of(table);

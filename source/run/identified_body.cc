@@ -100,6 +100,12 @@ namespace vibrocontact
                             : "no passive one was found near it") +
                        ": ask for more in Identification/Numbers of pole pairs, choose a band or set Enforce "
                        "passivity = false.");
+    constexpr double doubtful_error = 0.1;
+    if (one.worst() > doubtful_error)
+      run_log().warning("The model of " + body.name + " misses its data by E = " + number_text(one.worst()) +
+                        " (" + one.method + ", " + std::to_string(one.n_asked) +
+                        " pole pairs), and so may forces in contact: ask for more in "
+                        "Identification/Numbers of pole pairs, or for another band.");
     return {data.labels, first.rolling, one.identified.model};
   }
 

@@ -1,5 +1,7 @@
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/run/measured_data.h>
 #include <vibrocontact/scene/identified.h>
 
@@ -14,9 +16,11 @@ namespace vibrocontact
   namespace
   {
     /// @param in_contact the points lie over a road
-    void check_positions(const BodyParameters &body, const bool in_contact, const unsigned int n_points,
-                         const std::string &file)
+    /// Says which point lies where, too: the file's order decides.
+    void check_positions(const BodyParameters &body, const bool in_contact,
+                         const std::vector<std::string> &labels, const std::string &file)
     {
+      const unsigned int n_points = labels.size();
       const std::vector<double> &places = body.description->measured()->positions;
       if (in_contact && places.empty() && n_points > 1)
         throw InputError(body.name + "/Identified/Positions is not set, but the data \"" + file + "\" have " +
@@ -25,6 +29,11 @@ namespace vibrocontact
         throw InputError(body.name + "/Identified/Positions gives " + std::to_string(places.size()) +
                          " places, but the data \"" + file + "\" have " + std::to_string(n_points) +
                          " points; give one for each.");
+      std::string text;
+      for (unsigned int i = 0; i < places.size() && in_contact && n_points > 1; ++i)
+        text += (i == 0 ? "" : ", ") + labels[i] + " at " + number_text(places[i]) + " m";
+      if (!text.empty())
+        run_log().line(body.name + ": points in the order of the data, " + text);
     }
 
     /// @throws InputError for data that create energy, unless they are to be taken so
@@ -46,7 +55,7 @@ namespace vibrocontact
     {
       const IdentifiedParameters *const own = body.description->measured();
       if (own && !own->takes_data())
-        check_positions(body, in_contact, pole_file(body).names.labels.size(), own->poles_file);
+        check_positions(body, in_contact, pole_file(body).names.labels, own->poles_file);
     }
     if (!parameters.has_identification())
       return {};
@@ -57,7 +66,7 @@ namespace vibrocontact
     measured.judgement = judge(own, measured.data);
     for (const BodyParameters &body : scene.bodies)
       if (body.description->measured() && body.description->measured()->takes_data())
-        check_positions(body, in_contact, measured.data.labels.size(), own.data_file);
+        check_positions(body, in_contact, measured.data.labels, own.data_file);
     return measured;
   }
 } // namespace vibrocontact

@@ -21,8 +21,8 @@ namespace vibrocontact
         "data of section Identification; for direct or block convolution. Units: none.");
     prm.add_parameter(
         "Positions", positions,
-        "Places of the data's points along the road (along the circle if there is a Radius), in their "
-        "order, ascending; empty: one point at 0. Units: m.",
+        "Places of the data's points along the road (along the circle if there is a Radius), in the order "
+        "in which the file names them first, ascending; empty: one point at 0. Units: m.",
         List(Double(-100, 100), 0, 10000, ","));
     prm.add_parameter("Radius", radius,
                       "Of the circle on which the points lie, its lowest point at 0; 0: all level. Units: m.",

@@ -47,6 +47,17 @@ namespace
   }
 } // namespace
 
+TEST(ContactLaws, OfManyContactsAreEachItsOwn)
+{
+  constexpr unsigned int n = 300;
+  std::vector<std::pair<std::shared_ptr<const FrictionLaw>, unsigned int>> of_contacts;
+  for (unsigned int k = 0; k < n; ++k)
+    of_contacts.emplace_back(create_friction_law("coulomb", {k / 1e3}), 2);
+  const PointLaws<FrictionLaw> laws = PointLaws<FrictionLaw>::of_contacts(of_contacts);
+  for (unsigned int k = 0; k < n; ++k)
+    EXPECT_EQ(laws[2 * k + 1].at_rest(), k / 1e3);
+}
+
 TEST(ContactLaws, EveryMemberOfEveryFamilyIsCreatedAndUnknownOnesAreRefused)
 {
   for (const NormalLawEntry &entry : normal_laws())

@@ -1,6 +1,8 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_branch_parameters.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
+#include <vibrocontact/contact/laws/friction_law.h>
+#include <vibrocontact/coupled_bodies/creepage_limits.h>
 #include <vibrocontact/coupled_bodies/rolling_parameters.h>
 
 #include <map>
@@ -56,7 +58,7 @@ namespace vibrocontact
       constexpr double tiny = 1e-12, most = 1e12;
       static const std::map<std::string, FollowedEntry> entries = {
           {"Contact/Friction coefficient",
-           {[](RollingCase &one) -> double & { return one.friction; }, 0, 10, never}},
+           {[](RollingCase &one) -> double & { return one.friction; }, 0, most_friction, never}},
           {"Rolling/Hub displacement",
            {[](RollingCase &one) -> double & { return one.hub_displacement; }, tiny, most, under_force}},
           {"Rolling/Normal force",
@@ -64,11 +66,14 @@ namespace vibrocontact
           {"Rolling/Speed",
            {[](RollingCase &one) -> double & { return one.creepage.speed; }, tiny, most, without_rolling}},
           {"Rolling/Longitudinal creepage",
-           {[](RollingCase &one) -> double & { return one.creepage.longitudinal; }, -1, 1, without_speed}},
+           {[](RollingCase &one) -> double & { return one.creepage.longitudinal; }, -most_creepage,
+            most_creepage, without_speed}},
           {"Rolling/Lateral creepage",
-           {[](RollingCase &one) -> double & { return one.creepage.lateral; }, -1, 1, without_speed}},
+           {[](RollingCase &one) -> double & { return one.creepage.lateral; }, -most_creepage, most_creepage,
+            without_speed}},
           {"Rolling/Spin",
-           {[](RollingCase &one) -> double & { return one.creepage.spin; }, -1e3, 1e3, without_speed}},
+           {[](RollingCase &one) -> double & { return one.creepage.spin; }, -most_spin, most_spin,
+            without_speed}},
           {"Rolling/Sliding velocity x",
            {[](RollingCase &one) -> double & { return one.creepage.sliding_x; }, -most, most, never}},
           {"Rolling/Sliding velocity y",

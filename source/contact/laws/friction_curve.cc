@@ -18,7 +18,8 @@ namespace vibrocontact
         {
           throw InputError("Contact/Friction curve " + what +
                            ": give slip speeds that rise from 0 on (0 may stand twice, at rest and sliding) "
-                           "and coefficients above 0.");
+                           "and coefficients above 0, of at most " +
+                           number_text(most_friction) + ".");
         };
         std::vector<double> speeds, mu;
         for (std::size_t k = 0; k + 1 < numbers.size(); k += 2)
@@ -29,7 +30,7 @@ namespace vibrocontact
         if (speeds.empty() || speeds[0] != 0)
           refuse("does not begin at the slip speed 0");
         for (const double value : mu)
-          if (!(value > 0))
+          if (!(value > 0 && value <= most_friction))
             refuse("has the coefficient " + number_text(value));
         if (speeds.size() > 1 && speeds[1] == 0)
         {

@@ -32,6 +32,6 @@ namespace vibrocontact
   {
     return law_number("Friction coefficient", "0.3",
                       "Coulomb's mu; with a Static friction ratio its value at high slip speed. Units: none.",
-                      0, 10);
+                      0, most_friction);
   }
 } // namespace vibrocontact

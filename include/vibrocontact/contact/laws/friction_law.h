@@ -65,4 +65,6 @@ namespace vibrocontact
 
   /// Contact/Friction coefficient: the first number of laws that are scaled by it.
   LawParameter friction_coefficient();
+  /// no coefficient is larger [-]
+  constexpr double most_friction = 10;
 } // namespace vibrocontact

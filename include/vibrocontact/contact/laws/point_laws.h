@@ -73,6 +73,6 @@ namespace vibrocontact
   private:
     std::vector<std::shared_ptr<const Law>> laws;
     /// place among the laws of each point; empty: there is one
-    std::vector<unsigned char> number;
+    std::vector<unsigned int> number;
   };
 } // namespace vibrocontact
