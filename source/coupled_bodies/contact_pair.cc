@@ -18,6 +18,9 @@ namespace vibrocontact
 
   namespace
   {
+    /// of what modes answer: as much residual flexibility is the round-off that is left where all modes are kept
+    constexpr double rounding_of_residual = 1e-9;
+
     /// Undeformed surface of a body without mesh over a contact's plane; sign +1 above it, -1 below.
     double surface_height(const BodyDescription &surface, const PlacedContact &contact,
                           const unsigned int point, const double sign)
@@ -186,8 +189,7 @@ namespace vibrocontact
           modal += std::pow(pair.trace(n + i, k) / pair.omega[k], 2);
           inertial += std::pow(pair.trace(n + i, k) / (beyond_all_modes * fastest), 2);
         }
-        // round-off is all that remains of the residual when all modes are kept
-        const double along_x = residual > 1e-9 * modal ? residual + modal : inertial;
+        const double along_x = residual > rounding_of_residual * modal ? residual + modal : inertial;
         pair.residual(2 * n + i, 2 * n + i) = along_x;
       }
     }
@@ -270,6 +272,22 @@ namespace vibrocontact
               "without springs and without Rotation; make it body 2 or hold it.");
       }
     }
+
+    /// Whether contact forces move more than the modes do, beyond the rounding of what these have.
+    bool leaves_something_out(const ContactPair &pair)
+    {
+      double by_modes = 0, rest = 0;
+      for (unsigned int i = 0; i < pair.trace.m(); ++i)
+      {
+        double compliance = 0;
+        for (unsigned int k = 0; k < pair.n_modes(); ++k)
+          if (pair.omega[k] > 0)
+            compliance += std::pow(pair.trace(i, k) / pair.omega[k], 2);
+        by_modes = std::max(by_modes, compliance);
+        rest = std::max(rest, std::abs(pair.residual(i, i)));
+      }
+      return rest > rounding_of_residual * by_modes;
+    }
   } // namespace
 
   ContactPair contact_pair(const std::vector<ContactBody> &bodies, const ContactSections &sections,
@@ -339,11 +357,12 @@ namespace vibrocontact
     uncouple(sections, contacts, pair.residual);
     if (pair.residual_gradient.m() > 0)
       uncouple(sections, contacts, pair.residual_gradient);
-    hold_across(pair);
     const std::vector<double> omega = pair.frequencies();
-    if (!omega.empty() && std::any_of(bodies.begin(), bodies.end(),
-                                      [](const ContactBody &body) { return body.parameters->is_meshed(); }))
+    const bool is_meshed = std::any_of(bodies.begin(), bodies.end(),
+                                       [](const ContactBody &body) { return body.parameters->is_meshed(); });
+    if (is_meshed && !omega.empty() && leaves_something_out(pair))
       pair.modes_reach = *std::max_element(omega.begin(), omega.end()) / (2 * dealii::numbers::PI);
+    hold_across(pair);
     return pair;
   }
 

@@ -187,6 +187,7 @@ namespace vibrocontact
     body.labels = modal->labels;
     body.trace = modal->trace;
     body.modal_load = modal->load;
+    body.damping_coupling = modal->damping_coupling;
     body.participation = modal->participation;
     const unsigned int n_modes = modal->omega.size();
     if (n == 0 || n_modes == n_rigid)

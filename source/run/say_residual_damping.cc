@@ -131,6 +131,20 @@ namespace vibrocontact
     say(parameters, in_the_middle, further, std::move(frequencies), key, relaxes, results);
   }
 
+  void say_coupled_damping(const PreparedPair &prepared, Results &results)
+  {
+    constexpr double doubtful_coupling = 0.1;
+    for (const ContactBody &one : prepared.bodies)
+      if (one.reduced && one.reduced->damping_coupling > doubtful_coupling)
+        doubt("The damping matrix of " + one.reduced->name + " couples modes by up to " +
+                  percent_text(one.reduced->damping_coupling) +
+                  " of what it does to either. In contact each mode takes its own part alone: where modes of "
+                  "nearby "
+                  "frequencies grow or decay together, by how much is off by as much as their damping. "
+                  "Frequency responses keep the matrix whole.",
+              results);
+  }
+
   void say_hysteretic_rests(const Parameters &parameters, Results &results)
   {
     std::string elastic;

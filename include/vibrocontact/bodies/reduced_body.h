@@ -56,6 +56,8 @@ namespace vibrocontact
     /// Phi^T H Phi of the hysteretic loss H = sum of eta_e K_e, n_modes square, if loss factors differ and so couple the modes;
     /// empty: diagonal, 2 zeta w^2 [1/s^2]
     DenseMatrix loss = DenseMatrix();
+    /// what the damping ratios leave out of a viscous damping, see ModalDamping::coupling [-]
+    double damping_coupling = 0;
     /// of a body whose participation has rotations
     std::optional<HubInertia> hub = {};
   };

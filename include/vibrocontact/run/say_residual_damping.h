@@ -23,6 +23,8 @@ namespace vibrocontact
   void say_residual_damping(const Parameters &parameters, const PreparedPair &prepared,
                             const ContactPair &pair, const std::vector<double> &frequencies,
                             const std::string &key, Results &results, bool relaxes = true);
+  /// Bodies whose viscous damping couples modes, of which each takes its own part alone in contact: a warning from 10 % on.
+  void say_coupled_damping(const PreparedPair &prepared, Results &results);
   /// The same of Stability/Loss = hysteretic, which takes the damping of all bodies but those of materials with several loss
   /// factors: their names in a warning.
   void say_hysteretic_rests(const Parameters &parameters, Results &results);

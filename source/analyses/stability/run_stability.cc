@@ -172,6 +172,7 @@ namespace vibrocontact
     if (!in_time.roots.is_null())
       results.analyses["stability"]["roots_beside_rail"] = in_time.roots;
     judge_reach_of_modes(all, results);
+    say_coupled_damping(*prepared, results);
     if (loss)
       say_hysteretic_rests(parameters, results);
     else if (parameters.stability.is_reduced())

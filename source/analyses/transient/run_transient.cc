@@ -252,11 +252,8 @@ namespace vibrocontact
     }
     std::optional<Companion> companion;
     if (own.error_estimate)
-      companion = {
-          hub.driven(drive_function(with_doubled_step(own), constants, parameters.placed_contacts())),
-          {},
-          {},
-          {}};
+      companion.emplace().drive =
+          hub.driven(drive_function(with_doubled_step(own), constants, parameters.placed_contacts()));
     check_theta_keeps_mode(own, *held);
     warn_of_ringing(parameters, pair, results);
     parameters.signals.windows.judge("Transient", own.end_time, results);
@@ -313,6 +310,7 @@ namespace vibrocontact
         });
     take_from_first_rank(results.analyses["transient"]);
     print(result);
+    say_coupled_damping(*prepared.prepared, results);
     say_residual_damping(parameters, *prepared.prepared, pair,
                          dominant_frequencies(results.analyses["transient"]), "transient", results);
     judge_transient(result, pair.omega, own.adapts_steps(), companion ? &companion->errors : nullptr,
