@@ -1,5 +1,6 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/failure.h>
+#include <vibrocontact/base/memory.h>
 
 namespace vibrocontact
 {
@@ -8,6 +9,10 @@ namespace vibrocontact
     try
     {
       action();
+    }
+    catch (const MachineError &error)
+    {
+      return {Failure::Kind::machine, error.what()};
     }
     catch (const InputError &error)
     {
@@ -36,6 +41,8 @@ namespace vibrocontact
       return;
     case Kind::input:
       throw InputError(text);
+    case Kind::machine:
+      throw MachineError(text);
     case Kind::output:
       throw OutputError(text);
     case Kind::convergence:

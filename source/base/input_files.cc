@@ -22,7 +22,7 @@ namespace vibrocontact
 
   bool names_input_file(const DeclaredParameters::Entry &entry)
   {
-    return entry.pattern.rfind("[FileName", 0) == 0 && entry.name != "Write mesh";
+    return entry.pattern.rfind("[FileName", 0) == 0 && entry.pattern.find("output") == std::string::npos;
   }
 
   std::map<std::string, std::string> input_files(const DeclaredParameters &parameters)

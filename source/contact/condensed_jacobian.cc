@@ -8,7 +8,7 @@ namespace vibrocontact
 {
   namespace
   {
-    /// of a vector, that the inverse of A times A may leave
+    /// largest relative defect of the inverse of A times A, times a vector
     constexpr double largest_defect = 1e-3;
 
     /// Whether a row of a point says what its response is.

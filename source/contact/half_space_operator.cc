@@ -134,10 +134,10 @@ namespace vibrocontact
         const std::size_t shift = std::size_t(points[j] / grid.n_x) * width + points[j] % grid.n_x;
         for (unsigned int row = 0; row < 3; ++row)
         {
-          const double *const values = kernels[3 * row + column].data() - shift;
+          const std::vector<double> &values = kernels[3 * row + column];
           double *const to = &block(row * m, column * m + j);
           for (unsigned int i = 0; i < m; ++i)
-            to[i] = values[at[i]];
+            to[i] = values[at[i] - shift];
         }
       }
   }

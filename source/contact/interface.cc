@@ -96,14 +96,13 @@ namespace vibrocontact
                            " numbers: give three, x, y and z.");
         return std::array<double, 3>{{values[0], values[1], values[2]}};
       };
+      const std::array<double, 3> at = three(origin, entry), along = three(contact.normal, "Normal");
       try
       {
-        return contact_frame(three(origin, entry), three(contact.normal, "Normal"));
+        return contact_frame(at, along);
       }
       catch (const InputError &error)
       {
-        if (std::string(error.what()).rfind("a normal", 0) != 0)
-          throw;
         throw InputError(contact.section + "/Normal is " + error.what() + ": give another one.");
       }
     }

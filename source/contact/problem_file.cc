@@ -195,6 +195,8 @@ namespace vibrocontact
                              const ContactSolution &solution, const ContactFileOptions &options)
   {
     const unsigned int n = problem.n_points();
+    AssertThrow(problem.b.size() == 3 * n && problem.n_components() == 3,
+                dealii::ExcMessage("A contact problem in a file has three rows for each point."));
     if (n > most_points_in_file)
       throw InputError("A contact problem of " + std::to_string(n) + " points cannot be stored, at most " +
                        std::to_string(most_points_in_file) +
@@ -333,6 +335,8 @@ namespace vibrocontact
   ContactProblem restrict_to_points(const ContactProblem &problem, const std::vector<unsigned int> &points)
   {
     const unsigned int n = problem.n_points(), m = points.size();
+    AssertThrow(problem.b.size() == 3 * n && problem.n_components() == 3,
+                dealii::ExcMessage("Only problems with three rows for each point are restricted."));
     ContactProblem part = problem;
     DenseMatrix A;
     problem.A->extract(points, A);

@@ -1,6 +1,7 @@
 #include <vibrocontact/base/atomic_file.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/output/field_writer.h>
+#include <vibrocontact/output/surface_fields.h>
 #include <vibrocontact/scene/cell_elements.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -243,9 +244,7 @@ namespace vibrocontact
         write_state(displacement, folder + "/" + name);
         record.emplace_back(states[k].time, name);
       }
-      std::ostringstream text;
-      DataOutBase::write_pvd_record(text, record);
-      on_first_rank([&] { write_file(folder + "/" + set + ".pvd", text.str()); }, body.communicator());
+      on_first_rank([&] { write_pvd(record, folder + "/" + set + ".pvd"); }, body.communicator());
     }
   } // namespace
 

@@ -2,6 +2,7 @@
 // grid, dissimilar and incompressible bodies, moduli 1e9 apart, cells like slivers, distances of a million cells.
 
 #include "../unit/contact_cases.h"
+#include "../unit/hertz.h"
 #include "../unit/pi.h"
 #include "report.h"
 

@@ -1,6 +1,7 @@
 // An error on one rank is thrown on all of them, with its class and text.
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/memory.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -29,6 +30,8 @@ TEST(CollectiveMpi, WhatTheFirstRankThrowsAllThrow)
 {
   EXPECT_EQ(text_thrown<OutputError>([] { on_first_rank([] { throw OutputError("full"); }); }), "full");
   EXPECT_EQ(text_thrown<InputError>([] { on_first_rank([] { throw InputError("wrong"); }); }), "wrong");
+  EXPECT_EQ(text_thrown<MachineError>([] { on_first_rank([] { throw MachineError("too large"); }); }),
+            "too large");
   EXPECT_EQ(text_thrown<ConvergenceError>([] { on_first_rank([] { throw ConvergenceError("far"); }); }),
             "far");
   EXPECT_EQ(text_thrown<std::runtime_error>([] { on_first_rank([] { throw std::bad_alloc(); }); }),

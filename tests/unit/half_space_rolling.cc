@@ -3,6 +3,7 @@
 #include <vibrocontact/contact/contact_solvers.h>
 
 #include "contact_cases.h"
+#include "hertz.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // The flexibility under the contact: half-spaces in place of the elements' own, normal/tangential coupling on and
 // off, lumped and consistent quadrature.
 
+#include "hertz.h"
 #include "matrix_difference.h"
 
 #include <vibrocontact/analyses/rolling/rolling_scene.h>

@@ -5,7 +5,7 @@
 
 namespace vibrocontact
 {
-  /// An error as data, to be told to other ranks. InputError, OutputError and ConvergenceError keep their
+  /// An error as data, to be told to other ranks. InputError, MachineError, OutputError and ConvergenceError keep their
   /// class, anything else becomes a std::runtime_error.
   struct Failure
   {
@@ -13,6 +13,7 @@ namespace vibrocontact
     {
       none,
       input,
+      machine,
       output,
       convergence,
       other

@@ -15,10 +15,10 @@ namespace vibrocontact
   /// What the user reads while the program works: the screen and log.txt, written by rank 0 alone.
   ///
   ///     Wheel                                             <- block(): one per step
-  ///       dofs                          258 342           <- value(): name, number, unit
+  ///       dofs                          258342            <- value(): name, number, unit
   ///       mass                          314.86 kg
   ///       WARNING: ...                                    <- warning(), counted
-  ///     Wheel: 3.2 s                                      <- done by the next block()
+  ///       time                          3.2 s             <- by the next block()
   ///
   /// Lines written before open_file() are kept and head the file, so that the output folder can be made after
   /// the input has been checked. `--quiet` silences the screen, never the file; warnings reach standard

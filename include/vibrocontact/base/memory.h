@@ -13,7 +13,7 @@ namespace vibrocontact
   {
     /// [byte]; infinite if nothing can be told
     double bytes;
-    /// what sets the limit: "the machine", "its cgroup (/sys/fs/cgroup/box/memory.max)", "ulimit -v"
+    /// what sets the limit: "the machine", "its control group (/sys/fs/cgroup/box/memory.max)", "ulimit -v"
     std::string limit;
   };
 

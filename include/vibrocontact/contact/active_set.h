@@ -16,7 +16,7 @@ namespace vibrocontact
   ///
   /// One point: q = max(0, -b / M). Up to four: the closed points of the step before are tried first, then all
   /// sets, each with its inverse at hand. More: the closed set of the step before is corrected wherever q < 0 or
-  /// gap < 0, all such points at once, and if that does not lessen their number three times in a row, the last of them
+  /// gap < 0, all such points at once, and if that does not lessen their number four times in a row, the last of them
   /// only (Murty's rule, which ends for such M; Judice & Pires, Computers Oper. Res. 21 (1994) 587). The inverse of
   /// M over the closed set is kept from step to step and bordered or shrunk point by point; what rounding leaves in
   /// the closed gaps is corrected with it once more.

@@ -43,15 +43,4 @@ namespace vibrocontact
   private:
     double a, b, c, inverse_modulus;
   };
-
-  /// Hertz's elliptical contact of two surfaces with gap = A x^2 + B y^2 (Johnson 1985, ch. 4).
-  struct HertzContact
-  {
-    /// half axes along x and y [m], largest pressure [Pa], approach [m]
-    double semi_axis_x, semi_axis_y, max_pressure, approach;
-  };
-
-  /// @param curvature_x A [1/m] > 0, @param curvature_y B [1/m] > 0, @param force normal force [N] > 0
-  HertzContact hertz_contact(double curvature_x, double curvature_y, double inverse_contact_modulus,
-                             double force);
 } // namespace vibrocontact

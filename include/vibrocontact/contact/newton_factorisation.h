@@ -36,8 +36,9 @@ namespace vibrocontact
                  const std::vector<ContactStatus> &status, double gain, unsigned int &factorisations);
     /// x <- J^-1 x. @return false if the matrix is singular
     bool solve(DenseVector &x);
-    /// The last direction was taken in full, or there is another one that these factors did not give.
+    /// The last direction was taken in full.
     void took_direction() { direction_taken = true; }
+    /// The next direction is one that these factors did not give.
     void leave_direction() { last_direction.reinit(0); }
     /// The direction led nowhere. @return whether the next one comes from a matrix of its own, which this one had not
     bool distrust();

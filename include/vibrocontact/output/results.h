@@ -55,7 +55,7 @@ namespace vibrocontact
   /// @throws ConvergenceError if a number of these analyses is not finite
   void check_finite(const nlohmann::ordered_json &analyses, const std::string &path = "analyses");
 
-  /// Text of results.json. @throws dealii::ExceptionBase if a number is not finite
+  /// Text of results.json. @throws ConvergenceError if a number is not finite
   std::string results_text(const Results &results, double wall_seconds);
 
   /// What the first rank has found alone, for all. Collective.

@@ -180,7 +180,10 @@ namespace vibrocontact
     const DenseVector x(given.begin(), given.end());
     omega = given.back();
     if (!(omega > 0))
+    {
+      failure = "the frequency is no longer positive";
       return not_evaluated;
+    }
     response.set_frequency(omega);
     if (!problem.A)
     {
@@ -344,6 +347,9 @@ namespace vibrocontact
 
   bool CycleBalance::find_step(bool, std::vector<double> &step)
   {
+    // of the last place nothing is known
+    if (!failure.empty())
+      return false;
     const double unit = linearise();
     if (!std::isfinite(unit))
     {

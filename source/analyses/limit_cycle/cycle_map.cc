@@ -148,11 +148,18 @@ namespace vibrocontact
         {
           no_derivative = error.what();
         }
-        DenseVector begin = before.modal_force, end = state.modal_force;
-        begin += constant_force;
-        end += constant_force;
-        ends.push_back({before.q, before.v, begin, end, before.z, sum(before.pole_force, constant_feed),
-                        sum(state.pole_force, constant_feed), state.residual_rate});
+        StepEnds both;
+        both.q = before.q;
+        both.v = before.v;
+        both.modal_force = before.modal_force;
+        both.modal_force += constant_force;
+        both.next_modal_force = state.modal_force;
+        both.next_modal_force += constant_force;
+        both.poles = before.z;
+        both.pole_force = sum(before.pole_force, constant_feed);
+        both.next_pole_force = sum(state.pole_force, constant_feed);
+        both.residual_rate = state.residual_rate;
+        ends.push_back(std::move(both));
       }
       const std::vector<ContactStatus> &status = state.contact.status;
       always_open.erase(std::remove_if(always_open.begin(), always_open.end(),

@@ -28,7 +28,7 @@ namespace vibrocontact
   Table balance_table(const nlohmann::ordered_json &cycles);
   /// Of a root from which none was found.
   nlohmann::ordered_json failed_json(const LimitCycle &cycle);
-  /// How many there are, and of that with the loudest probe `loudest`; none without probes.
+  /// How many there are, and of that with the loudest probe `loudest`; without probes of that with the largest normal force.
   /// @param cycles list of cycle_json() @param search with the list `not_found` of failed_json()
   void add_sums(const nlohmann::ordered_json &cycles, nlohmann::ordered_json &search);
   /// A row for each of both.
