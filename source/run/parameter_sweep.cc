@@ -121,12 +121,12 @@ namespace vibrocontact
         check_list(axis, values);
         return;
       }
-      if (axis.range.size() != 3 || axis.range[2] == 0 ||
-          (axis.range[1] - axis.range[0]) / axis.range[2] < 0 ||
-          (axis.range[1] - axis.range[0]) / axis.range[2] > most_cases)
+      if (axis.range.size() != 3 || axis.range[2] == 0 || (axis.range[1] - axis.range[0]) / axis.range[2] < 0)
         throw InputError(range +
                          " is not first, last, step with a step from the first towards the last value: "
                          "write for instance -0.01, 0.03, 0.001.");
+      if ((axis.range[1] - axis.range[0]) / axis.range[2] > most_cases)
+        throw InputError(range + " makes more than 20,000 cases: take larger steps.");
     };
     check_axis(first, "");
     check_axis(second, "Second ");
