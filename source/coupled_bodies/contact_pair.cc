@@ -273,20 +273,24 @@ namespace vibrocontact
       }
     }
 
-    /// Whether contact forces move more than the modes do, beyond the rounding of what these have.
-    bool leaves_something_out(const ContactPair &pair)
+    /// Whether a body leaves contact forces more than its modes have: beyond a small part of what the highest of them answers, and
+    /// beyond the rounding of what they answer together. @param rest of its rows
+    bool leaves_something_out(const ReducedBody &body, const DenseMatrix &rest)
     {
-      double by_modes = 0, rest = 0;
-      for (unsigned int i = 0; i < pair.trace.m(); ++i)
+      constexpr double part_of_highest = 1e-3, rounding = 1e-13;
+      const unsigned int n_modes = body.n_modes();
+      double by_modes = 0, by_highest = 0, left = 0;
+      for (unsigned int i = 0; i < rest.m(); ++i)
       {
-        double compliance = 0;
-        for (unsigned int k = 0; k < pair.n_modes(); ++k)
-          if (pair.omega[k] > 0)
-            compliance += std::pow(pair.trace(i, k) / pair.omega[k], 2);
+        double compliance = 0, highest = 0;
+        for (unsigned int k = 0; k < n_modes; ++k)
+          if (body.omega[k] > 0)
+            compliance += highest = std::pow(body.trace(i, k) / body.omega[k], 2);
         by_modes = std::max(by_modes, compliance);
-        rest = std::max(rest, std::abs(pair.residual(i, i)));
+        by_highest = std::max(by_highest, highest);
+        left = std::max(left, std::abs(rest(i, i)));
       }
-      return rest > rounding_of_residual * by_modes;
+      return left > std::max(part_of_highest * by_highest, rounding * by_modes);
     }
   } // namespace
 
@@ -305,6 +309,7 @@ namespace vibrocontact
     }
     pair.residual.reinit(3 * n, 3 * n);
     unsigned int n_modes = 0, first = 0;
+    bool leaves_out = false;
     std::vector<std::string> labels_of_poles;
     for (const ContactBody &body : bodies)
       n_modes += body.reduced ? body.reduced->omega.size() : 0;
@@ -329,6 +334,7 @@ namespace vibrocontact
       if (!bodies[b].reduced)
         continue;
       const ReducedBody &reduced = *bodies[b].reduced;
+      leaves_out = leaves_out || (bodies[b].parameters->is_meshed() && leaves_something_out(reduced, W));
       for (unsigned int k = 0; k < reduced.omega.size(); ++k)
       {
         pair.omega.push_back(reduced.omega[k]);
@@ -358,9 +364,7 @@ namespace vibrocontact
     if (pair.residual_gradient.m() > 0)
       uncouple(sections, contacts, pair.residual_gradient);
     const std::vector<double> omega = pair.frequencies();
-    const bool is_meshed = std::any_of(bodies.begin(), bodies.end(),
-                                       [](const ContactBody &body) { return body.parameters->is_meshed(); });
-    if (is_meshed && !omega.empty() && leaves_something_out(pair))
+    if (leaves_out && !omega.empty())
       pair.modes_reach = *std::max_element(omega.begin(), omega.end()) / (2 * dealii::numbers::PI);
     hold_across(pair);
     return pair;

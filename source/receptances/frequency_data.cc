@@ -123,29 +123,37 @@ namespace vibrocontact
 
   namespace
   {
+    double largest(const FrequencyData::Entry &entry)
+    {
+      double value = 0;
+      for (const Complex &one : entry.values)
+        value = std::max(value, std::abs(one));
+      return value;
+    }
+
     /// What is cut off stands in no line: they would be those of another body.
     void check_decay(const FrequencyData &data, const double step)
     {
-      constexpr double most_left = 0.05;
-      double largest = 0, left = 0;
-      for (const FrequencyData::Entry &entry : data.entries)
+      constexpr double most_left = 0.05, least_entry = 1e-3;
+      for (unsigned int k = 0; k < data.entries.size(); ++k)
       {
+        const FrequencyData::Entry &entry = data.entries[k];
         const std::size_t n = entry.values.size(), n_last = std::max<std::size_t>(1, n / 10);
-        double square = 0;
-        for (std::size_t i = 0; i < n; ++i)
-        {
-          largest = std::max(largest, std::abs(entry.values[i]));
-          square += i + n_last >= n ? std::norm(entry.values[i]) : 0;
-        }
-        left = std::max(left, std::sqrt(square / n_last));
+        const double size = largest(entry);
+        double others = 0, square = 0;
+        for (const FrequencyData::Entry &other : data.entries)
+          if (other.derivative == entry.derivative)
+            others = std::max(others, largest(other));
+        for (std::size_t i = n - n_last; i < n; ++i)
+          square += std::norm(entry.values[i]);
+        const double left = std::sqrt(square / n_last);
+        if (size >= least_entry * others && left > most_left * size)
+          throw InputError("The data \"" + data.file_name + "\" end at " + number_text((n - 1) * step) +
+                           " s, before the impulse response " + entry_name(data, k) +
+                           " has decayed: its last tenth has an rms of " + percent_text(left / size) +
+                           " of its largest value. Give a longer one, down to " + percent_text(most_left) +
+                           ".");
       }
-      if (left > most_left * largest)
-        throw InputError("The data \"" + data.file_name + "\" end at " +
-                         number_text(data.entries.front().values.size() * step) +
-                         " s, before the impulse responses have decayed: the last tenth has an rms of " +
-                         percent_text(left / largest) +
-                         " of their largest value. Give longer ones, down to " + percent_text(most_left) +
-                         ".");
     }
   } // namespace
 

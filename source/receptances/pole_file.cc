@@ -65,16 +65,24 @@ namespace vibrocontact
       check_size(table, "pole_imag_1_s", k);
     }
 
-    void check_given_once(const CsvTable &table, const std::size_t k)
+    /// Poles of bodies with a symmetry are double, with residues of their own.
+    void check_given_once(const CsvTable &table, const PoleFit &fit)
     {
-      constexpr double same = 1e-9;
-      const std::vector<double> &real = table.column("pole_real_1_s"), &imag = table.column("pole_imag_1_s");
-      for (std::size_t i = 0; i < k; ++i)
-        if (std::hypot(real[i] - real[k], std::abs(imag[i]) - std::abs(imag[k])) <=
-            same * std::hypot(real[k], imag[k]))
-          throw InputError("The table \"" + table.source + "\", line " + std::to_string(table.lines[k]) +
-                           ", has the pole of line " + std::to_string(table.lines[i]) +
-                           " again, or its conjugate: give one of both, once.");
+      const auto agree = [](const std::complex<double> &a, const std::complex<double> &b)
+      { return std::abs(a - b) <= 1e-9 * std::abs(a); };
+      for (std::size_t k = 0; k < fit.poles.size(); ++k)
+        for (std::size_t i = 0; i < k; ++i)
+        {
+          const bool again = agree(fit.poles[k], fit.poles[i]);
+          if (!again && !agree(fit.poles[k], std::conj(fit.poles[i])))
+            continue;
+          if (std::all_of(fit.residues.begin(), fit.residues.end(),
+                          [&](const auto &residues)
+                          { return agree(residues[k], again ? residues[i] : std::conj(residues[i])); }))
+            throw InputError("The table \"" + table.source + "\", line " + std::to_string(table.lines[k]) +
+                             ", has the pole and the residues of line " + std::to_string(table.lines[i]) +
+                             " again, or their conjugates: give one of both, once.");
+        }
     }
 
     double constant(const CsvTable &table, const std::string &name)
@@ -101,7 +109,6 @@ namespace vibrocontact
     for (std::size_t k = 0; k < real.size(); ++k)
     {
       check_pole(table, k);
-      check_given_once(table, k);
       file.fit.poles.emplace_back(real[k], imag[k]);
     }
     const std::vector<std::string> pairs = pairs_of(table);
@@ -133,6 +140,7 @@ namespace vibrocontact
       if (!(std::abs(file.fit.direct.back()) <= largest_number))
         check_size(table, pairs[i] + direct_end, 0);
     }
+    check_given_once(table, file.fit);
     const std::vector<std::string> &labels = file.names.labels;
     for (unsigned int i = 0; i < labels.size(); ++i)
       for (unsigned int j = 0; j < labels.size(); ++j)

@@ -136,13 +136,13 @@ namespace vibrocontact
     constexpr double doubtful_coupling = 0.1;
     for (const ContactBody &one : prepared.bodies)
       if (one.reduced && one.reduced->damping_coupling > doubtful_coupling)
-        doubt("The damping matrix of " + one.reduced->name + " couples modes by up to " +
-                  percent_text(one.reduced->damping_coupling) +
-                  " of what it does to either. In contact each mode takes its own part alone: where modes of "
-                  "nearby "
-                  "frequencies grow or decay together, by how much is off by as much as their damping. "
-                  "Frequency responses keep the matrix whole.",
-              results);
+        doubt(
+            "The damping matrix of " + one.reduced->name + " couples modes by up to " +
+                percent_text(one.reduced->damping_coupling) +
+                " of what it does to either. In contact each mode takes its own part alone: growth and decay "
+                "of modes of nearby frequencies may be wrong by as much as their damping. Frequency "
+                "responses keep the matrix whole.",
+            results);
   }
 
   void say_hysteretic_rests(const Parameters &parameters, Results &results)

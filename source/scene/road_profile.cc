@@ -57,31 +57,30 @@ namespace vibrocontact
       return std::max(end, begin + 1e-3);
     }
 
-    /// A spline may swing where a table has a hole.
-    void check_holes(const CsvTable &file, const std::vector<double> &x, const std::vector<double> &z,
-                     const PiecewisePolynomial &height)
+    /// A spline may swing where a table has a hole, or its corners alone.
+    /// @param begin @param end of the way
+    void check_swings(const CsvTable &file, const std::vector<double> &x, const std::vector<double> &z,
+                      const PiecewisePolynomial &height, const double begin, const double end)
     {
-      constexpr double long_interval = 3, most_beyond = 0.5;
+      constexpr double most_beyond = 0.5, rounding = 1e-9;
       constexpr unsigned int n_looks = 16;
-      std::vector<double> lengths;
-      for (std::size_t i = 0; i + 1 < x.size(); ++i)
-        lengths.push_back(x[i + 1] - x[i]);
-      const auto middle = lengths.begin() + lengths.size() / 2;
-      std::nth_element(lengths.begin(), middle, lengths.end());
       const auto [least, most] = std::minmax_element(z.begin(), z.end());
-      const double beyond = most_beyond * (*most - *least);
+      const double beyond =
+          most_beyond * (*most - *least) + rounding * std::max(std::abs(*least), std::abs(*most));
       for (std::size_t i = 0; i + 1 < x.size(); ++i)
-        for (unsigned int k = 1; k < n_looks && x[i + 1] - x[i] > long_interval * *middle; ++k)
+      {
+        const double from = std::max(x[i], begin), to = std::min(x[i + 1], end);
+        for (unsigned int k = 1; k < n_looks && from < to; ++k)
         {
-          const double at = x[i] + (x[i + 1] - x[i]) * k / n_looks, value = height.at(at).value;
+          const double value = height.at(from + (to - from) * k / n_looks).value;
           if (value < *least - beyond || value > *most + beyond)
             throw InputError(file.source + ", line " + std::to_string(file.lines[i + 1]) + ": from " +
                              number_text(x[i]) + " to " + number_text(x[i + 1]) +
-                             " m the table has no points, and the spline through the others swings to " +
-                             number_text(value) +
-                             " m, beyond all heights of the table: fill the hole, or set "
+                             " m the spline through the points swings to " + number_text(value) +
+                             " m, far beyond all heights of the table: give more points there, or set "
                              "Road/Table interpolation = linear or monotone.");
         }
+      }
     }
 
     RoadProfile profile_of_table(const RoadParameters &parameters, const double begin, const double end)
@@ -99,7 +98,7 @@ namespace vibrocontact
       const Interpolation &way = find_named(interpolations(), parameters.interpolation, "interpolation");
       RoadProfile profile;
       profile.height = way.through(x, z);
-      check_holes(file, x, z, profile.height);
+      check_swings(file, x, z, profile.height, begin, end);
       if (way.breaks_at_points)
         profile.breaks.assign(x.begin() + 1, x.end() - 1);
       return profile;

@@ -64,7 +64,9 @@ TEST(PoleFile, RefusesWhatIsNoTableOfPoles)
   refused(head + ",mass\n-1,3,1,1,1\n", "column mass");
   refused(head + ",A_z_A_z_direct_m_N\n-1,3,1,1,1\n-1,4,1,1,2\n", "line 3, has another");
   refused("pole_real_1_s,pole_imag_1_s\n-1,3\n", "no residues");
-  refused(head + "\n-1,3,1,1\n-2,3,1,1\n-1,-3,1,-1\n", "line 4, has the pole of line 2 again");
+  refused(head + "\n-1,3,1,1\n-2,3,1,1\n-1,-3,1,-1\n", "line 4, has the pole and the residues of line 2");
+  // of a body with a symmetry
+  EXPECT_EQ(read_poles(read_csv("x.csv", head + "\n-1,3,1,1\n-1,3,2,1\n")).fit.poles.size(), 2u);
 }
 
 TEST(BandLimited, InverseTransformOfAnOscillator)

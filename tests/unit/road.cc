@@ -187,6 +187,10 @@ TEST(Road, TableInterpolations)
   const std::string cleat = "0,0\n0.1,0\n0.11,0.005\n0.13,0.005\n0.14,0\n0.3,0\n";
   // between far points a spline would leave the road by 16 mm
   EXPECT_THROW(Road(table(cleat, "natural spline", 1), {0.}, {0.}, 0.3), InputError);
+  EXPECT_THROW(Road(table("0,0\n1,0\n1.01,0.01\n2,0.01\n", "natural spline", 1), {0.}, {0.}, 2), InputError);
+  EXPECT_NO_THROW(Road(table("0,0.1\n1,0.1\n1.3,0.1\n2,0.1\n", "natural spline", 1), {0.}, {0.}, 2));
+  // beyond the way
+  EXPECT_NO_THROW(Road(table("0,0\n1,0\n1.01,0.01\n2,0.01\n", "natural spline", 1), {0.}, {0.}, 1e-3));
   std::string every_centimetre;
   for (unsigned int k = 0; k <= 30; ++k)
     every_centimetre += std::to_string(k / 100.) + (k > 10 && k < 14 ? ",0.005\n" : ",0\n");

@@ -26,7 +26,7 @@ def options(text):
     chosen.bench = Bench(os.path.abspath(chosen.build), chosen.quick, 1, "")
     parser.check_build(chosen.bench.build)
     parser.check_output(chosen.output)
-    if ENVIRONMENT.get("OPENBLAS_CORETYPE") != os.environ.get("OPENBLAS_CORETYPE"):
+    if ENVIRONMENT.get("OPENBLAS_CORETYPE") and "OPENBLAS_CORETYPE" not in os.environ:
         # OpenBLAS of this process, which a peer may use as well, asks for it when it is loaded
         os.execve(sys.executable, [sys.executable, "-B", *sys.argv], ENVIRONMENT)
     return chosen

@@ -21,7 +21,7 @@ def statements(text: str) -> Iterator[Tuple[str, str]]:
             begun = line[:-1].strip() + " "
             continue
         begun = ""
-        if line:
+        if line.strip():
             keyword, *rest = line.split(None, 1)
             yield keyword, "".join(rest)
 

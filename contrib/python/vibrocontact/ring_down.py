@@ -20,7 +20,7 @@ class RingDown(NamedTuple):
 
 
 def turning_points(time: ArrayLike, place: ArrayLike, speed: ArrayLike) -> Tuple[Array, Array]:
-    """Times and places where a motion turns; it may start with one. Between two samples the motion is a parabola."""
+    """Times and places where a motion turns; it may start with one, after a rest. Between two samples the motion is a parabola."""
     t, x, v = (np.asarray(values, dtype=float) for values in (time, place, speed))
     # a sample at rest belongs to the way that led to it
     moving = np.flatnonzero(v)
@@ -30,7 +30,7 @@ def turning_points(time: ArrayLike, place: ArrayLike, speed: ArrayLike) -> Tuple
     at = t[k] + share * (t[k + 1] - t[k])
     near = k + (share > 0.5)
     places = x[near] + v[near] * (at - t[near]) / 2
-    start = [0] if len(t) > 1 and v[0] == 0 and v[1] != 0 else []
+    start = moving[:1] - 1 if len(moving) and moving[0] > 0 else []
     return np.append(t[start], at), np.append(x[start], places)
 
 

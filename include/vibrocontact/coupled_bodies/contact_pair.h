@@ -66,7 +66,7 @@ namespace vibrocontact
     /// of each mode and of each pole its body, counted from 1 in the order of Bodies
     std::vector<unsigned int> body, body_of_pole;
     /// the highest frequency of modes and poles of a pair with bodies of elements [Hz]: above, its motions are made by what these leave
-    /// out. Infinite: there are no such bodies, so that nothing is left out
+    /// out. Infinite: there are none that leave anything out
     double modes_reach = std::numeric_limits<double>::infinity();
     /// residual displacements of the contacts per force on body 1 at its first contact point along the normal [m/N]; 3 n, empty: none
     std::vector<double> force_residual;

@@ -49,7 +49,7 @@ namespace vibrocontact
 
   /// Receptance at multiples of 1 / duration of an impulse response sampled at equal steps from t = 0 on, by trapezoids
   /// (a jump at 0+ counts half) and FFT; up to half the sampling rate.
-  /// @throws InputError if it has not decayed: if the rms of its last tenth is beyond 5 % of its largest value
+  /// @throws InputError if one has not decayed: if the rms of its last tenth is beyond 5 % of its largest value
   void transform_to_frequency(FrequencyData &data, double step);
 
   /// Receptance from mobility (power 1) or accelerance (power 2): divides by (j omega)^power.

@@ -24,7 +24,7 @@ namespace vibrocontact
   /// Reads what poles_table() writes, every bit: columns pole_real_1_s, pole_imag_1_s,
   /// <response>_<force>_residue_real_m_Ns and ..._residue_imag_m_Ns; <response>_<force>_direct_m_N, the same
   /// number in every line, is optional; frequency_Hz and damping_ratio are not looked at.
-  /// @throws InputError with file and line: a pole that grows or does not decay, a pair of points that is missing or there
+  /// @throws InputError with file and line: a pole that grows or does not decay, one that is given twice, a pair of points that is missing or there
   /// twice, another column
   PoleFile read_poles(const CsvTable &table);
 } // namespace vibrocontact

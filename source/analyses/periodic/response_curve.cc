@@ -145,25 +145,49 @@ namespace vibrocontact
       double frequency, half_width;
     };
 
-    /// Those that the exciting force drives.
-    std::vector<Resonance> resonances(const ForcedBody &body)
+    /// Those at which the exciting force moves contact rows by what matters beside the gap or the largest of them.
+    std::vector<Resonance> resonances(const ForcedBody &body, const double force)
     {
-      constexpr double per_turn = 1 / (2 * dealii::numbers::PI);
-      std::vector<Resonance> result;
+      constexpr double per_turn = 1 / (2 * dealii::numbers::PI), least_of_gap = 1e-3;
+      std::vector<Resonance> all;
+      std::vector<double> peaks;
+      // @param rate at which it decays [1/s]; @param response of a row to the force over twice that [m/s]
+      const auto add = [&](const double omega, const double rate, const auto &response)
+      {
+        double peak = 0;
+        for (unsigned int row = 0; row < body.n_contact_rows(); ++row)
+          peak = std::max(peak, force * response(row));
+        all.push_back({omega * per_turn, rate * per_turn});
+        peaks.push_back(peak > 0 && rate > 0 ? peak / rate : peak > 0 ? HUGE_VAL : 0);
+      };
       for (unsigned int k = 0; k < body.omega.size(); ++k)
-        if (body.omega[k] > 0 && body.modal_force(k) != 0)
-          result.push_back({body.omega[k] * per_turn, body.damping_ratio[k] * body.omega[k] * per_turn});
-      for (const std::complex<double> &pole : body.poles)
-        result.push_back({std::abs(pole) * per_turn, std::abs(pole.real()) * per_turn});
+        if (body.omega[k] > 0)
+          add(body.omega[k], body.damping_ratio[k] * body.omega[k],
+              [&](const unsigned int row)
+              { return std::abs(body.trace(row, k) * body.modal_force(k)) / (2 * body.omega[k]); });
+      for (unsigned int k = 0; k < body.poles.size(); ++k)
+        if (body.poles[k].imag() != 0)
+          add(std::abs(body.poles[k]), std::abs(body.poles[k].real()),
+              [&](const unsigned int row)
+              { return std::abs(body.right(row, k) * body.left(body.force_row, k)); });
+      double matters = 0;
+      for (const double peak : peaks)
+        matters = std::max(matters, peak);
+      for (const double gap : body.gap)
+        matters = std::min(matters, std::abs(gap));
+      std::vector<Resonance> result;
+      for (std::size_t k = 0; k < all.size(); ++k)
+        if (peaks[k] > least_of_gap * matters)
+          result.push_back(all[k]);
       return result;
     }
 
     /// Largest change of the frequency from a point of open contact, where the unknown forces are zero and do not see the body
-    /// resonate: resonances ahead are come near by halves and met, those behind are left by twice the distance. What nothing damps is passed.
+    /// resonate: resonances ahead are come near by halves and met, those behind are left by twice the distance. What nothing damps is passed close by.
     double longest_change(const std::vector<Resonance> &resonances, const double frequency,
                           const bool upwards)
     {
-      constexpr double least_width = 1e-3, met = 1e-6;
+      constexpr double least_width = 1e-6, met = 1e-6;
       double longest = std::numeric_limits<double>::infinity();
       for (const auto &[at, half_width] : resonances)
       {
@@ -277,8 +301,8 @@ namespace vibrocontact
     continuation.direction = settings.direction;
     continuation.tolerance = balance.settings.tolerance;
     if (settings.parameter == SceneParameter::frequency)
-      continuation.longest_change =
-          [all = resonances(body), open = 1e-9 * continuation.x_scale](const CurvePoint &point)
+      continuation.longest_change = [all = resonances(body, balance.excitation().amplitude),
+                                     open = 1e-9 * continuation.x_scale](const CurvePoint &point)
       {
         const bool is_open = std::all_of(point.x.begin(), point.x.end(),
                                          [open](const double force) { return std::abs(force) <= open; });
