@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fftw3.h>
+#include <map>
 
 namespace vibrocontact
 {
@@ -135,22 +136,26 @@ namespace vibrocontact
     void check_decay(const FrequencyData &data, const double step)
     {
       constexpr double most_left = 0.05, least_entry = 1e-3;
+      std::vector<double> sizes;
+      std::map<unsigned int, double> largest_of_derivative;
+      for (const FrequencyData::Entry &entry : data.entries)
+      {
+        sizes.push_back(largest(entry));
+        double &all = largest_of_derivative[entry.derivative];
+        all = std::max(all, sizes.back());
+      }
       for (unsigned int k = 0; k < data.entries.size(); ++k)
       {
         const FrequencyData::Entry &entry = data.entries[k];
         const std::size_t n = entry.values.size(), n_last = std::max<std::size_t>(1, n / 10);
-        const double size = largest(entry);
-        double others = 0, square = 0;
-        for (const FrequencyData::Entry &other : data.entries)
-          if (other.derivative == entry.derivative)
-            others = std::max(others, largest(other));
+        double square = 0;
         for (std::size_t i = n - n_last; i < n; ++i)
           square += std::norm(entry.values[i]);
         const double left = std::sqrt(square / n_last);
-        if (size >= least_entry * others && left > most_left * size)
+        if (sizes[k] >= least_entry * largest_of_derivative[entry.derivative] && left > most_left * sizes[k])
           throw InputError("The data \"" + data.file_name + "\" end at " + number_text((n - 1) * step) +
                            " s, before the impulse response " + entry_name(data, k) +
-                           " has decayed: its last tenth has an rms of " + percent_text(left / size) +
+                           " has decayed: its last tenth has an rms of " + percent_text(left / sizes[k]) +
                            " of its largest value. Give a longer one, down to " + percent_text(most_left) +
                            ".");
       }

@@ -25,7 +25,7 @@ namespace vibrocontact
     {
       std::string name;
       PiecewisePolynomial (*through)(const std::vector<double> &x, const std::vector<double> &z);
-      /// slope and curvature of a natural spline are continuous
+      /// slope and curvature of a natural spline are continuous, for which it may swing
       bool breaks_at_points;
     };
 
@@ -98,9 +98,10 @@ namespace vibrocontact
       const Interpolation &way = find_named(interpolations(), parameters.interpolation, "interpolation");
       RoadProfile profile;
       profile.height = way.through(x, z);
-      check_swings(file, x, z, profile.height, begin, end);
       if (way.breaks_at_points)
         profile.breaks.assign(x.begin() + 1, x.end() - 1);
+      else
+        check_swings(file, x, z, profile.height, begin, end);
       return profile;
     }
 

@@ -194,10 +194,9 @@ TEST(Road, TableInterpolations)
   std::string every_centimetre;
   for (unsigned int k = 0; k <= 30; ++k)
     every_centimetre += std::to_string(k / 100.) + (k > 10 && k < 14 ? ",0.005\n" : ",0\n");
-  const auto range = [&](const std::string &interpolation)
+  const auto range = [&](const std::string &interpolation, const std::string &points)
   {
-    const bool is_spline = interpolation == "natural spline";
-    const Road road(table(is_spline ? every_centimetre : cleat, interpolation, 1), {0.}, {0.}, 0.3);
+    const Road road(table(points, interpolation, 1), {0.}, {0.}, 0.3);
     double low = 0, high = 0;
     for (double t = 0; t <= 0.3; t += 1e-5)
     {
@@ -207,12 +206,12 @@ TEST(Road, TableInterpolations)
     EXPECT_NEAR(road.height(0, 0.12), 0.005, 1e-5);
     return std::make_pair(low, high);
   };
-  EXPECT_GT(range("natural spline").second, 5.4e-3);
-  EXPECT_LT(range("natural spline").first, -2e-4);
+  EXPECT_GT(range("natural spline", every_centimetre).second, 5.4e-3);
+  EXPECT_LT(range("natural spline", every_centimetre).first, -2e-4);
   for (const std::string interpolation : {"linear", "monotone"})
   {
-    EXPECT_NEAR(range(interpolation).second, 5e-3, 1e-15) << interpolation;
-    EXPECT_NEAR(range(interpolation).first, 0, 1e-15) << interpolation;
+    EXPECT_NEAR(range(interpolation, cleat).second, 5e-3, 1e-15) << interpolation;
+    EXPECT_NEAR(range(interpolation, cleat).first, 0, 1e-15) << interpolation;
   }
   const Road lines(table(cleat, "linear", 1), {0.}, {0.}, 0.3),
       cubics(table(cleat, "monotone", 1), {0.}, {0.}, 0.3);

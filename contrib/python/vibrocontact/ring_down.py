@@ -22,10 +22,10 @@ class RingDown(NamedTuple):
 def turning_points(time: ArrayLike, place: ArrayLike, speed: ArrayLike) -> Tuple[Array, Array]:
     """Times and places where a motion turns; it may start with one, after a rest. Between two samples the motion is a parabola."""
     t, x, v = (np.asarray(values, dtype=float) for values in (time, place, speed))
-    # a sample at rest belongs to the way that led to it
     moving = np.flatnonzero(v)
-    sign = np.sign(v[moving])[np.maximum(np.searchsorted(moving, np.arange(len(v)), side="right") - 1, 0)] if len(moving) else np.zeros(len(v))
-    k = np.flatnonzero(sign[:-1] * sign[1:] < 0)
+    back = np.flatnonzero(v[moving[:-1]] * v[moving[1:]] < 0) + 1
+    # the last sample before the way back, perhaps at rest
+    k = moving[back] - 1
     share = v[k] / (v[k] - v[k + 1])
     at = t[k] + share * (t[k + 1] - t[k])
     near = k + (share > 0.5)
