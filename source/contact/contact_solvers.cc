@@ -26,12 +26,12 @@ namespace vibrocontact
         unsigned int k = next(problem, 0);
         check_taken(problem, k);
         solver(k).solve(problem, state);
-        for (unsigned int failed = 0; !state.converged && (k = next(problem, k + 1)) < rows.size();)
+        while (!state.converged && (k = next(problem, k + 1)) < rows.size())
         {
-          const unsigned int iterations = state.iterations;
+          const SolverCost before = state.cost();
           solver(k).solve(problem, state);
-          state.iterations += iterations;
-          state.fallbacks += ++failed;
+          state.cost() += before;
+          ++state.fallbacks;
         }
       }
 

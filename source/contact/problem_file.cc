@@ -189,14 +189,19 @@ namespace vibrocontact
         }
       return matrix;
     }
+
+    void check_three_rows(const ContactProblem &problem)
+    {
+      AssertThrow(problem.n_components() == 3 && problem.b.size() == problem.n_rows(),
+                  dealii::ExcMessage("A contact problem in a file has three rows for each point."));
+    }
   } // namespace
 
   void write_contact_problem(const std::string &file_name, const ContactProblem &problem,
                              const ContactSolution &solution, const ContactFileOptions &options)
   {
     const unsigned int n = problem.n_points();
-    AssertThrow(problem.b.size() == 3 * n && problem.n_components() == 3,
-                dealii::ExcMessage("A contact problem in a file has three rows for each point."));
+    check_three_rows(problem);
     if (n > most_points_in_file)
       throw InputError("A contact problem of " + std::to_string(n) + " points cannot be stored, at most " +
                        std::to_string(most_points_in_file) +
@@ -335,8 +340,7 @@ namespace vibrocontact
   ContactProblem restrict_to_points(const ContactProblem &problem, const std::vector<unsigned int> &points)
   {
     const unsigned int n = problem.n_points(), m = points.size();
-    AssertThrow(problem.b.size() == 3 * n && problem.n_components() == 3,
-                dealii::ExcMessage("Only problems with three rows for each point are restricted."));
+    check_three_rows(problem);
     ContactProblem part = problem;
     DenseMatrix A;
     problem.A->extract(points, A);

@@ -18,9 +18,6 @@ namespace vibrocontact
 
   namespace
   {
-    /// of what modes answer: as much residual flexibility is the round-off that is left where all modes are kept
-    constexpr double rounding_of_residual = 1e-9;
-
     /// Undeformed surface of a body without mesh over a contact's plane; sign +1 above it, -1 below.
     double surface_height(const BodyDescription &surface, const PlacedContact &contact,
                           const unsigned int point, const double sign)
@@ -189,7 +186,8 @@ namespace vibrocontact
           modal += std::pow(pair.trace(n + i, k) / pair.omega[k], 2);
           inertial += std::pow(pair.trace(n + i, k) / (beyond_all_modes * fastest), 2);
         }
-        const double along_x = residual > rounding_of_residual * modal ? residual + modal : inertial;
+        // round-off is all that remains of the residual when all modes are kept
+        const double along_x = residual > 1e-9 * modal ? residual + modal : inertial;
         pair.residual(2 * n + i, 2 * n + i) = along_x;
       }
     }
