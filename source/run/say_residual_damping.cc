@@ -131,18 +131,26 @@ namespace vibrocontact
     say(parameters, in_the_middle, further, std::move(frequencies), key, relaxes, results);
   }
 
-  void say_coupled_damping(const PreparedPair &prepared, Results &results)
+  void say_coupled_damping(const std::vector<const ReducedBody *> &reduced, Results &results)
   {
     constexpr double doubtful_coupling = 0.1;
-    for (const ContactBody &one : prepared.bodies)
-      if (one.reduced && one.reduced->damping_coupling > doubtful_coupling)
+    for (const ReducedBody *const body : reduced)
+      if (body && body->damping_coupling > doubtful_coupling)
         doubt(
-            "The damping matrix of " + one.reduced->name + " couples modes by up to " +
-                percent_text(one.reduced->damping_coupling) +
+            "The damping matrix of " + body->name + " couples modes by up to " +
+                percent_text(body->damping_coupling) +
                 " of what it does to either. In contact each mode takes its own part alone: growth and decay "
                 "of modes of nearby frequencies may be wrong by as much as their damping. Frequency "
                 "responses keep the matrix whole.",
             results);
+  }
+
+  void say_coupled_damping(const PreparedPair &prepared, Results &results)
+  {
+    std::vector<const ReducedBody *> reduced;
+    for (const ContactBody &one : prepared.bodies)
+      reduced.push_back(one.reduced);
+    say_coupled_damping(reduced, results);
   }
 
   void say_hysteretic_rests(const Parameters &parameters, Results &results)

@@ -24,6 +24,8 @@ namespace vibrocontact
                             const ContactPair &pair, const std::vector<double> &frequencies,
                             const std::string &key, Results &results, bool relaxes = true);
   /// Bodies whose viscous damping couples modes, of which each takes its own part alone in contact: a warning from 10 % on.
+  /// @param reduced null: none
+  void say_coupled_damping(const std::vector<const ReducedBody *> &reduced, Results &results);
   void say_coupled_damping(const PreparedPair &prepared, Results &results);
   /// The same of Stability/Loss = hysteretic, which takes the damping of all bodies but those of materials with several loss
   /// factors: their names in a warning.

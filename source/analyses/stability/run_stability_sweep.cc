@@ -250,17 +250,16 @@ namespace vibrocontact
           run_log().value("cases followed", n_followed);
           run_log().value("complete cases", static_cast<unsigned int>(outcome.results.size()) - n_followed);
         }
+        unsigned int k = 0;
+        while (!reduced.has(k))
+          ++k;
+        say_coupled_damping(reduced.of(k), on.results);
         if (on.parameters.stability.is_hysteretic())
           say_hysteretic_rests(on.parameters, on.results);
         else
-        {
-          unsigned int k = 0;
-          while (!reduced.has(k))
-            ++k;
           say_residual_damping(sweep.cases[k].parameters(), reduced.of(k), 0.,
                                frequencies_that_matter(outcome.results.front()), "stability", on.results,
                                sweep.cases[k].parameters().stability.options().residual_rate);
-        }
         on_first_rank(
             [&]
             {
