@@ -55,7 +55,6 @@ class Parser(argparse.ArgumentParser):
         if not works:
             last = (said.strip().splitlines() or ["no word"])[-1]
             self.refuse(f"{path} --parameters does not list the entries ({last}): build it anew, or name its build tree with --build")
-        take_kernels_of(path)
 
     def check_output(self, folder):
         """Makes the folder of results; refuses one that cannot be made or written to."""
@@ -118,6 +117,7 @@ class Bench:
     def __init__(self, build, quick, repetitions, cache):
         self.build, self.quick, self.repetitions, self.cache = build, quick, repetitions, cache
         self.path = os.path.join(build, "vibrocontact")
+        take_kernels_of(self.path)
 
     def run(self, file, settings=None, ranks=1, repetitions=None, cached=False, read=None):
         """Repeated runs of a parameter file (relative to the root of the sources) with entries set; cached: with the

@@ -23,9 +23,9 @@ def options(text):
     parser.add_argument("--quick", action="store_true", help="small sizes only")
     parser.add_build_and_output()
     chosen = parser.parse_args()
-    chosen.bench = Bench(os.path.abspath(chosen.build), chosen.quick, 1, "")
-    parser.check_build(chosen.bench.build)
+    parser.check_build(chosen.build)
     parser.check_output(chosen.output)
+    chosen.bench = Bench(os.path.abspath(chosen.build), chosen.quick, 1, "")
     if ENVIRONMENT.get("OPENBLAS_CORETYPE") and "OPENBLAS_CORETYPE" not in os.environ:
         # OpenBLAS of this process, which a peer may use as well, asks for it when it is loaded
         os.execve(sys.executable, [sys.executable, "-B", *sys.argv], ENVIRONMENT)
