@@ -151,6 +151,37 @@ namespace vibrocontact
           result.compliance(i, j) = pad.compliance(i, j) + product(n_ends + i, n_ends + j);
       return result;
     }
+
+    /// Pieces without loads of one section at a frequency; equally long ones are made once.
+    class UniformPieces
+    {
+    public:
+      UniformPieces(SectionAtFrequency section, const SpanElements &elements)
+          : section(std::move(section)), elements(elements)
+      {
+      }
+
+      Slice with_loads(const double length, const unsigned int n_loads)
+      {
+        auto made =
+            std::find_if(known.begin(), known.end(),
+                         [&](const auto &one) { return std::abs(one.first - length) < 1e-9 * length; });
+        if (made == known.end())
+          made = known.insert(made,
+                              {length, uniform_slice(section, length, elements.length, elements.degree, 0)});
+        Slice result = made->second;
+        result.forces.reinit(2 * section.n_shapes(), n_loads);
+        result.compliance.reinit(n_loads, n_loads);
+        return result;
+      }
+
+      const SectionAtFrequency section;
+
+    private:
+      const SpanElements elements;
+      /// by their lengths [m]
+      std::vector<std::pair<double, Slice>> known;
+    };
   } // namespace
 
   Slice span_slice(const TrackSection &section, const TrackSupport &support, const ComplexMatrix &seat,
@@ -174,7 +205,7 @@ namespace vibrocontact
       return elements.loss < 0 ? SectionAtFrequency(section.matrices, omega, bed)
                                : SectionAtFrequency(section.matrices, omega, elements.loss, bed);
     };
-    const SectionAtFrequency between = at_frequency(ComplexMatrix()), on_pad = at_frequency(springs);
+    UniformPieces between(at_frequency(ComplexMatrix()), elements), on_pad(at_frequency(springs), elements);
 
     std::vector<double> divisions = {begin, pad_begin, pad_end, end};
     for (const AxialLoad &load : loads)
@@ -187,9 +218,10 @@ namespace vibrocontact
                     divisions.end());
 
     /// pieces between two places; `with` may hold the sleeper's forces beside the loads
-    const auto pieces = [&](const double from, const double to, const SectionAtFrequency &at,
-                            const std::vector<AxialLoad> &with)
+    const auto pieces =
+        [&](const double from, const double to, UniformPieces &unloaded, const std::vector<AxialLoad> &with)
     {
+      const SectionAtFrequency &at = unloaded.section;
       std::optional<Slice> whole;
       for (unsigned int k = 0; k + 1 < divisions.size(); ++k)
       {
@@ -221,7 +253,7 @@ namespace vibrocontact
             follow(piece, element_slice(at, a + e * (b - a) / n, (b - a) / n, elements.degree, with));
         }
         else
-          piece = uniform_slice(at, b - a, elements.length, elements.degree, with.size());
+          piece = unloaded.with_loads(b - a, with.size());
         for (unsigned int j = 0; j < with.size(); ++j)
           if (with[j].length == 0 && std::abs(with[j].centre - b) < slack)
             add_section_load(*piece, j, with[j].constant);
