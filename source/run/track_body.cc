@@ -88,6 +88,19 @@ namespace vibrocontact
       return table;
     }
 
+    SectionShapes shapes_of(const TrackReduction &track)
+    {
+      return {track.section_shapes, std::vector<bool>(track.axial.begin(), track.axial.end()), track.shares};
+    }
+
+    void keep_shapes(const SectionShapes &shapes, TrackReduction &into)
+    {
+      into.n_shapes = shapes.n();
+      into.section_shapes = shapes.shapes;
+      into.axial.assign(shapes.axial.begin(), shapes.axial.end());
+      into.shares = shapes.shares;
+    }
+
     ComplexMatrix at_points(const DenseMatrix &motions, const ComplexMatrix &shapes)
     {
       ComplexMatrix result(motions.m(), shapes.n());
@@ -129,7 +142,9 @@ namespace vibrocontact
     {
       TrackInContact::Settings settings;
       settings.up_to = 1.2 * rail().fitted_up_to;
-      made = std::make_unique<const TrackInContact>(parameters, rail(), grid, settings);
+      const SectionShapes known = reduced ? shapes_of(*reduced) : SectionShapes();
+      made = std::make_unique<const TrackInContact>(parameters, rail(), grid, settings,
+                                                    reduced ? &known : nullptr);
     }
     return *made;
   }
@@ -202,7 +217,7 @@ namespace vibrocontact
     {
       TrackReduction &result = reduced.emplace();
       result.n_dofs = track.n_section_dofs();
-      result.n_shapes = track.n_shapes();
+      keep_shapes(track.shapes(), result);
       result.radius = track.radius();
       result.motions = track.motions;
       result.at_rest = track.at_rest();

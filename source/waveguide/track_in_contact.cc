@@ -73,7 +73,8 @@ namespace vibrocontact
   } // namespace
 
   TrackInContact::TrackInContact(const BodyParameters &body, const RailParameters &rail,
-                                 const ContactGrid &grid, const Settings &settings)
+                                 const ContactGrid &grid, const Settings &settings,
+                                 const SectionShapes *const known)
       : section(body, rail), grid(grid), waves(settings.waves)
   {
     const ElasticMaterial &steel = body.materials.empty() ? body.material : body.materials.back().second;
@@ -90,11 +91,12 @@ namespace vibrocontact
     SmoothShapesSettings smooth;
     smooth.up_to = settings.up_to;
     smooth.tolerance = settings.tolerance;
-    const SectionShapes shapes =
-        track_shapes(elements, track.support, {section.lateral_position + y}, width, {}, smooth);
-    track.section = track_section(elements, shapes);
-    keep_far_shapes(track, shapes);
-    const auto six = patch_motions(elements, shapes, x, section.lateral_position + y, length, width);
+    section_shapes =
+        known ? *known
+              : track_shapes(elements, track.support, {section.lateral_position + y}, width, {}, smooth);
+    track.section = track_section(elements, section_shapes);
+    keep_far_shapes(track, section_shapes);
+    const auto six = patch_motions(elements, section_shapes, x, section.lateral_position + y, length, width);
     loads.assign(six.begin(), six.end());
     // a moment of 1 N at the arm
     for (unsigned int k = 3; k < 6; ++k)

@@ -144,6 +144,9 @@ namespace vibrocontact
     {
       archive("n_dofs", part.n_dofs);
       archive("n_shapes", part.n_shapes);
+      archive("section_shapes", part.section_shapes);
+      archive("axial", part.axial);
+      archive("shares", part.shares);
       archive("radius_m", part.radius);
       archive("bed_m_N", part.bed);
       archive("motions", part.motions);

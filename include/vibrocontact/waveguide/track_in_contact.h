@@ -29,9 +29,10 @@ namespace vibrocontact
       CrownWaves waves = {};
     };
 
+    /// @param known shapes() of another one with the same section, patch and settings; null: they are found
     /// @throws InputError if the grid leaves the crown
     TrackInContact(const BodyParameters &body, const RailParameters &rail, const ContactGrid &grid,
-                   const Settings &settings);
+                   const Settings &settings, const SectionShapes *known = nullptr);
 
     /// R(s) for translations along x, y, z and rotations about them times radius(); 6 square [m/N].
     /// @param omega [rad/s]; complex: -i s, see PeriodicTrack::AtFrequency
@@ -46,7 +47,8 @@ namespace vibrocontact
     double radius() const { return arm; }
 
     unsigned int n_section_dofs() const { return section.elements.n_dofs(); }
-    unsigned int n_shapes() const { return track.section.matrices.n_shapes(); }
+    /// in which the section moves
+    const SectionShapes &shapes() const { return section_shapes; }
 
     /// W; 3 n square [m/N]. Collective.
     DenseMatrix bed_compliance() const;
@@ -63,6 +65,7 @@ namespace vibrocontact
     CrownWaves waves;
     double arm = 0;
     PeriodicTrack track;
+    SectionShapes section_shapes;
     std::vector<AxialLoad> loads;
     DenseMatrix elastic, fast, even_bed;
   };

@@ -10,6 +10,10 @@ namespace vibrocontact
   struct TrackReduction
   {
     unsigned int n_dofs = 0, n_shapes = 0;
+    /// of the section, as SectionShapes; n_dofs x n_shapes, n_shapes each
+    DenseMatrix section_shapes;
+    std::vector<int> axial;
+    std::vector<double> shares;
     /// by which rotations are lengths [m]
     double radius = 0;
     /// 3 n square [m/N]; 3 n x 6; 6 square [m/N]
