@@ -35,11 +35,12 @@ namespace vibrocontact
       return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin());
     }
 
-    /// Square of what the tangential rows differ by, and the number of points that are open in one alone.
-    double distance(const NewtonJacobian::Rows &a, const NewtonJacobian::Rows &b)
+    /// Square of what the tangential rows differ by, and the number of points that are open in one alone; from a limit on it is
+    /// not looked further.
+    double distance(const NewtonJacobian::Rows &a, const NewtonJacobian::Rows &b, const double limit)
     {
       double sum = 0;
-      for (std::size_t k = 0; k < a.size(); ++k)
+      for (std::size_t k = 0; k < a.size() && sum < limit; ++k)
       {
         sum += (a[k].by_gap == 0) != (b[k].by_gap == 0) ? 1 : 0;
         for (unsigned int c = 0; c < 2; ++c)
@@ -114,16 +115,23 @@ namespace vibrocontact
   {
     NewtonFactors *best = nullptr;
     double least = std::numeric_limits<double>::infinity();
-    for (const std::unique_ptr<NewtonFactors> &one : kept)
-      if (has_same_points(*one))
+    const auto look_at = [&](NewtonFactors &one)
+    {
+      if (!has_same_points(one))
+        return;
+      const double now = distance(one.at().rows, as_in(one).rows, least);
+      if (now < least && has_few_changes(one))
       {
-        const double now = distance(one->at().rows, as_in(*one).rows);
-        if (now < least && has_few_changes(*one))
-        {
-          least = now;
-          best = one.get();
-        }
+        least = now;
+        best = &one;
       }
+    };
+    // most often the next are those of the last problem
+    if (used)
+      look_at(*used);
+    for (const std::unique_ptr<NewtonFactors> &one : kept)
+      if (one.get() != used)
+        look_at(*one);
     return best;
   }
 
