@@ -5,11 +5,14 @@
 #include <vibrocontact/receptances/uff58.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace vibrocontact
 {
@@ -96,12 +99,20 @@ namespace vibrocontact
       std::size_t n_bytes = 0;
     };
 
+    /// What an axis measures, and the label of its unit.
+    struct Axis
+    {
+      int type = 0;
+      std::string unit;
+    };
+
     /// One dataset 58 as it stands in the file.
     struct Function
     {
       std::string response_entity, reference_entity;
       int response_node = 0, response_direction = 0, reference_node = 0, reference_direction = 0;
-      int type = 0, abscissa_type = 0, numerator = 0, denominator = 0;
+      int type = 0;
+      Axis along, numerator, denominator;
       /// the abscissa is a first value and a step
       bool even = false;
       std::vector<double> abscissa;
@@ -164,6 +175,14 @@ namespace vibrocontact
       return numbers;
     }
 
+    /// Of records 8 to 10: I10, 3 I5, 2 (1X, A20).
+    Axis read_axis(Cursor &cursor)
+    {
+      std::string text = cursor.next_line();
+      text.resize(80, ' ');
+      return {cursor.integer(text, 0, 10), as_utf8(trimmed(text.substr(47, 20)))};
+    }
+
     Function read_function(Cursor &cursor, const Binary &binary)
     {
       Function function;
@@ -186,9 +205,9 @@ namespace vibrocontact
       if ((type != 2 && type != 4 && type != 5 && type != 6) || n < 1)
         cursor.fail("gives the data type " + std::to_string(type) + " and " + std::to_string(n) +
                     " values: types are 2, 4 (real), 5, 6 (complex).");
-      function.abscissa_type = cursor.integer(cursor.next_line(), 0, 10);
-      function.numerator = cursor.integer(cursor.next_line(), 0, 10);
-      function.denominator = cursor.integer(cursor.next_line(), 0, 10);
+      function.along = read_axis(cursor);
+      function.numerator = read_axis(cursor);
+      function.denominator = read_axis(cursor);
       cursor.next_line();
 
       const bool complex = type >= 5, twice = type == 4 || type == 6;
@@ -229,7 +248,52 @@ namespace vibrocontact
     bool is_response(const Function &function)
     {
       return function.type == unknown_function ||
-             function.type == (function.abscissa_type == time_axis ? time_response : frequency_response);
+             function.type == (function.along.type == time_axis ? time_response : frequency_response);
+    }
+
+    /// A label of a unit without what programs spell differently: case, brackets, signs of powers and products.
+    std::string plain(const std::string &unit)
+    {
+      std::string text = unit;
+      for (const auto &[sign, letters] : {std::pair<std::string, std::string>{"\u00b2", "2"}, {"sec", "s"}})
+        for (std::size_t at; (at = text.find(sign)) != std::string::npos;)
+          text.replace(at, sign.size(), letters);
+      std::string result;
+      for (const char c : text)
+        if (std::string(" ()[]^*").find(c) == std::string::npos)
+          result += std::tolower(static_cast<unsigned char>(c));
+      return result;
+    }
+
+    /// @throws InputError if a function labels an axis with another unit than that of SI
+    void check_units(const Cursor &cursor, const Function &function)
+    {
+      // of a response per force some programs write the quotient beside its numerator
+      static const std::map<int, std::set<std::string>> si = {
+          {time_axis, {"s"}},
+          {frequency_axis, {"hz", "1/s"}},
+          {displacement, {"m", "m/n"}},
+          {velocity, {"m/s", "m/s/n"}},
+          {acceleration, {"m/s2", "m/s/s", "m/s2/n", "m/s/s/n"}},
+          {excitation_force, {"n"}},
+          {reaction_force, {"n"}}};
+      const std::array<std::pair<const Axis *, std::string>, 3> axes = {
+          {{&function.along, "abscissa"},
+           {&function.numerator, "numerator"},
+           {&function.denominator, "denominator"}}};
+      for (const auto &[axis, name] : axes)
+      {
+        // what the file does not say the quantity of is taken for displacement per force
+        const int type = axis->type != 0                 ? axis->type
+                         : axis == &function.denominator ? excitation_force
+                                                         : displacement;
+        const std::string unit = plain(axis->unit);
+        const auto known = si.find(type);
+        if (!unit.empty() && unit != "none" && known != si.end() && known->second.count(unit) == 0)
+          cursor.fail("ends a function of line " + std::to_string(function.line) + " whose " + name +
+                      " has the unit label '" + axis->unit +
+                      "': convert the data to SI (m, m/s, m/s^2, N, Hz, s), or write NONE if they are.");
+      }
     }
 
     std::string direction_suffix(const Cursor &cursor, const int direction)
@@ -269,11 +333,11 @@ namespace vibrocontact
     unsigned int power_of(const Cursor &cursor, const Function &function)
     {
       const std::string where = "has a function of line " + std::to_string(function.line) + " ";
-      if (function.denominator != excitation_force && function.denominator != reaction_force &&
-          function.denominator != 0)
-        cursor.fail(where + "per something else than a force (type " + std::to_string(function.denominator) +
-                    "): give frequency responses to forces.");
-      switch (function.numerator)
+      if (function.denominator.type != excitation_force && function.denominator.type != reaction_force &&
+          function.denominator.type != 0)
+        cursor.fail(where + "per something else than a force (type " +
+                    std::to_string(function.denominator.type) + "): give frequency responses to forces.");
+      switch (function.numerator.type)
       {
       case displacement:
       case 0:
@@ -283,7 +347,7 @@ namespace vibrocontact
       case acceleration:
         return 2;
       }
-      cursor.fail(where + "of the kind " + std::to_string(function.numerator) +
+      cursor.fail(where + "of the kind " + std::to_string(function.numerator.type) +
                   ": displacement (8), velocity (11) or acceleration (12) is needed.");
     }
   } // namespace
@@ -334,17 +398,18 @@ namespace vibrocontact
         ++data.n_skipped;
         continue;
       }
-      if (function.abscissa_type != time_axis && function.abscissa_type != frequency_axis)
-        cursor.fail("ends a function of the abscissa type " + std::to_string(function.abscissa_type) +
+      if (function.along.type != time_axis && function.along.type != frequency_axis)
+        cursor.fail("ends a function of the abscissa type " + std::to_string(function.along.type) +
                     ": frequency (18) or time (17) is needed.");
+      check_units(cursor, function);
       if (data.entries.empty())
       {
-        abscissa_type = function.abscissa_type;
+        abscissa_type = function.along.type;
         data.frequency = function.abscissa;
         rounding = function.even ? 0 : rounding_of_times;
         check_axis(file_name, data.frequency, abscissa_type == time_axis ? "s" : "Hz", {});
       }
-      if (function.abscissa_type != abscissa_type || function.abscissa != data.frequency)
+      if (function.along.type != abscissa_type || function.abscissa != data.frequency)
         cursor.fail(
             "ends a function whose axis differs from that of the first one: all entries need the same " +
             std::string(abscissa_type == time_axis ? "times." : "frequencies."));

@@ -253,6 +253,20 @@ TEST(FrequencyData, WrongDataAreRefused)
   std::string inches = foreign;
   inches.replace(inches.find("         1  SI"), 10, "         7");
   expect_words(refused("d.unv", inches), {"line 3", "SI"});
+  const auto labelled = [&](const std::string &unit, const std::string &other)
+  {
+    std::string text = foreign;
+    const std::size_t place = text.find(unit + "  ", text.find("Frequency"));
+    text.replace(place, 20, (other + std::string(20, ' ')).substr(0, 20));
+    return refused("d.unv", text);
+  };
+  expect_words(labelled("m/s^2", "g"), {"line 21", "function of line 13", "numerator", "'g'", "SI"});
+  expect_words(labelled("m/s^2", "mm/s^2"), {"'mm/s^2'"});
+  expect_words(labelled("m/s^2", "m"), {"'m'"});
+  expect_words(labelled("N", "lbf"), {"denominator", "'lbf'"});
+  expect_words(labelled("Hz", "kHz"), {"abscissa", "'kHz'"});
+  for (const std::string same : {"NONE", "", "M/S2", "m/s\u00b2", "(m/sec**2)/N", "m/s/s"})
+    EXPECT_EQ(labelled("m/s^2", same), "nothing was refused") << same;
   std::string hole = foreign;
   hole.replace(hole.find(" -1.00000E+00"), 13, "          NaN");
   expect_words(refused("d.unv", hole), {"line 20", "NaN"});
