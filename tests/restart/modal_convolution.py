@@ -68,11 +68,11 @@ check("tyre_three_points", "friction", short, "Modal convolution/Friction=true",
       "tyre/Ring/Tread tangential stiffness=1e5")
 check("tyre_three_points", "falling", short, "Modal convolution/Friction=true", "Road/Sliding speed=0.05",
       "tyre/Ring/Tread tangential stiffness=1e5", "Contact/Static friction ratio=1.4", "Modal convolution/Method=theta method")
-check("tyre_rolling", "products", "Modal convolution/End time=0.25", "tyre/Ring/Contact points=200",
+check("tyre_rolling", "products", "Modal convolution/End time=0.1", "tyre/Ring/Contact points=200",
       "tyre/Ring/Contact spacing=6e-4", "tyre/Ring/Tread stiffness=20160")
 check("oscillator_on_sine", "spring", "Modal convolution/Method=modal recursion", "Contact/Normal law=exponential penalty", "Contact/Penalty amplitude=1e3",
       "Contact/Penalty exponent=300", "Modal convolution/Force shape=constant", "Modal convolution/End time=2")
-check("oscillator_on_sine", "events", "Modal convolution/End time=20")
+check("oscillator_on_sine", "events", "Modal convolution/End time=8")
 done = subprocess.run(command + ["--set", "Modal convolution/End time=0.2", "--output", "block_whole", "--resume"],
                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 if done.returncode != 1 or "is before what the run to be resumed has reached" not in done.stderr:
