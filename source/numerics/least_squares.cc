@@ -94,12 +94,19 @@ namespace vibrocontact
         right[i] = factor(i, n + j);
       for (int k = 0; k < n_equations; ++k)
         target[k] = D(k, j) / length[k];
+      bool is_undetermined = false;
       with_work("dgglse",
                 [&](double *work, const int &n_work, int &info)
                 {
                   dgglse_(&n, &n, &n_equations, &triangle(0, 0), &n, &left(0, 0), &n_equations, right.data(),
                           target.data(), solution.data(), work, &n_work, &info);
+                  is_undetermined = info > 0;
+                  info = std::min(info, 0);
                 });
+      if (is_undetermined)
+        throw ConvergenceError(
+            "The data do not determine as many unknowns as a fit to them has: ask for fewer "
+            "(poles), or give more lines.");
       for (int i = 0; i < n; ++i)
         x(i, j) = scale[i] * solution[i];
     }

@@ -212,8 +212,13 @@ namespace vibrocontact
 
   bool DataJudgement::is_late(const double highest_frequency) const
   {
-    return delay && delay->error < 0.05 && delay->error_without > 1.5 * delay->error &&
-           std::abs(delay->delay) * 2 * M_PI * highest_frequency > 0.06;
+    // what a delay turns the highest line by, and of that what it leaves of a fit without it at least
+    constexpr double least_turn = 0.06, least_error = 0.02;
+    if (!delay)
+      return false;
+    const double turn = std::abs(delay->delay) * 2 * M_PI * highest_frequency;
+    return delay->error < 0.05 && delay->error_without > 1.5 * delay->error && turn > least_turn &&
+           delay->error_without > least_error * std::min(turn, 1.);
   }
 
   DataJudgement judge_data(const FrequencyData &data, const bool rolling, const double removed)

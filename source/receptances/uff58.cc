@@ -2,17 +2,17 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/base/utf8.h>
+#include <vibrocontact/receptances/si_label.h>
 #include <vibrocontact/receptances/uff58.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <map>
-#include <set>
+#include <optional>
 
 namespace vibrocontact
 {
@@ -251,49 +251,48 @@ namespace vibrocontact
              function.type == (function.along.type == time_axis ? time_response : frequency_response);
     }
 
-    /// A label of a unit without what programs spell differently: case, brackets, signs of powers and products.
-    std::string plain(const std::string &unit)
-    {
-      std::string text = unit;
-      for (const auto &[sign, letters] : {std::pair<std::string, std::string>{"\u00b2", "2"}, {"sec", "s"}})
-        for (std::size_t at; (at = text.find(sign)) != std::string::npos;)
-          text.replace(at, sign.size(), letters);
-      std::string result;
-      for (const char c : text)
-        if (std::string(" ()[]^*").find(c) == std::string::npos)
-          result += std::tolower(static_cast<unsigned char>(c));
-      return result;
-    }
-
     /// @throws InputError if a function labels an axis with another unit than that of SI
     void check_units(const Cursor &cursor, const Function &function)
     {
-      // of a response per force some programs write the quotient beside its numerator
-      static const std::map<int, std::set<std::string>> si = {
-          {time_axis, {"s"}},
-          {frequency_axis, {"hz", "1/s"}},
-          {displacement, {"m", "m/n"}},
-          {velocity, {"m/s", "m/s/n"}},
-          {acceleration, {"m/s2", "m/s/s", "m/s2/n", "m/s/s/n"}},
-          {excitation_force, {"n"}},
-          {reaction_force, {"n"}}};
-      const std::array<std::pair<const Axis *, std::string>, 3> axes = {
-          {{&function.along, "abscissa"},
-           {&function.numerator, "numerator"},
-           {&function.denominator, "denominator"}}};
-      for (const auto &[axis, name] : axes)
+      static const std::map<int, SiPowers> units = {
+          {time_axis, {{0, 0, 1}}},      {frequency_axis, {{0, 0, -1}}}, {displacement, {{0, 1, 0}}},
+          {velocity, {{0, 1, -1}}},      {acceleration, {{0, 1, -2}}},   {excitation_force, {{1, 1, -2}}},
+          {reaction_force, {{1, 1, -2}}}};
+      const auto check = [&](const Axis &axis, const std::string &name, const int type, const bool per_force)
       {
-        // what the file does not say the quantity of is taken for displacement per force
-        const int type = axis->type != 0                 ? axis->type
-                         : axis == &function.denominator ? excitation_force
-                                                         : displacement;
-        const std::string unit = plain(axis->unit);
-        const auto known = si.find(type);
-        if (!unit.empty() && unit != "none" && known != si.end() && known->second.count(unit) == 0)
-          cursor.fail("ends a function of line " + std::to_string(function.line) + " whose " + name +
-                      " has the unit label '" + axis->unit +
-                      "': convert the data to SI (m, m/s, m/s^2, N, Hz, s), or write NONE if they are.");
-      }
+        const auto due = units.find(type);
+        const std::string none[] = {"", "-", "none", "null"};
+        std::string small = axis.unit;
+        for (char &c : small)
+          c = std::tolower(static_cast<unsigned char>(c));
+        if (due == units.end() || std::find(std::begin(none), std::end(none), small) != std::end(none))
+          return;
+        const std::optional<SiPowers> found = si_powers(axis.unit);
+        // some programs write the quotient beside its numerator: per N, or in time per N s
+        SiPowers per_newton = due->second, per_impulse = due->second;
+        for (unsigned int k = 0; k < 3; ++k)
+        {
+          per_newton[k] -= units.at(excitation_force)[k];
+          per_impulse[k] = per_newton[k] - (k == 2 ? 1 : 0);
+        }
+        if (found == due->second || (per_force && (found == per_newton || found == per_impulse)))
+          return;
+        const std::string where = "ends a function of line " + std::to_string(function.line) + " whose " +
+                                  name + " has the unit label '" + axis.unit + "'";
+        if (axis.type == 0 && found)
+          cursor.fail(where + ", but not the type of its quantity: give it (displacement 8, velocity 11, "
+                              "acceleration 12, force 13).");
+        cursor.fail(
+            where +
+            ", which is not that of its quantity in m, s, N, kg and Hz: convert the data to SI, or write "
+            "NONE if they are.");
+      };
+      check(function.along, "abscissa", function.along.type, false);
+      // what the file does not say the quantity of is taken for displacement per force
+      check(function.numerator, "numerator",
+            function.numerator.type != 0 ? function.numerator.type : displacement, true);
+      check(function.denominator, "denominator",
+            function.denominator.type != 0 ? function.denominator.type : excitation_force, false);
     }
 
     std::string direction_suffix(const Cursor &cursor, const int direction)
@@ -316,18 +315,23 @@ namespace vibrocontact
         if (is_new)
         {
           at->second = entity.empty() || entity == "NONE" ? std::to_string(node) : entity;
-          for (const auto &[key, name] : names)
-            if (key != at->first && name == at->second)
-            {
-              at->second += std::to_string(node);
-              break;
-            }
+          if (is_taken(at->first, at->second))
+            at->second += std::to_string(node);
+          while (is_taken(at->first, at->second))
+            at->second += "'";
         }
         return at->second;
       }
 
     private:
-      std::map<std::pair<std::string, int>, std::string> names;
+      using Key = std::pair<std::string, int>;
+      bool is_taken(const Key &own, const std::string &text) const
+      {
+        return std::any_of(names.begin(), names.end(),
+                           [&](const auto &one) { return one.first != own && one.second == text; });
+      }
+
+      std::map<Key, std::string> names;
     };
 
     unsigned int power_of(const Cursor &cursor, const Function &function)

@@ -343,3 +343,22 @@ TEST(DataPassivity, UndampedFitsComeToRest)
     }
   }
 }
+
+TEST(DataPassivity, AFreeMassIsNotLate)
+{
+  // exactly real but for the digits of a file, or with a noise of 2e-4: fits with a delay and without it differ by rounding or noise
+  for (const double noise : {0., 2e-4})
+  {
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    const FrequencyData data =
+        data_of(1, 1000, 1,
+                [&](unsigned int, unsigned int, const double omega)
+                {
+                  char text[32];
+                  std::snprintf(text, sizeof text, "%.11e", -1 / (2 * omega * omega));
+                  return std::atof(text) * (1. + noise * Complex(normal(random), normal(random)));
+                });
+    EXPECT_FALSE(judge_data(data, false, 0).is_late(1000)) << noise;
+  }
+}

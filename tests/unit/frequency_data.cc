@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <functional>
+#include <set>
 
 using namespace vibrocontact;
 using Complex = std::complex<double>;
@@ -194,6 +195,31 @@ TEST(FrequencyData, UniversalFileOfOtherFunctions)
   expect_words(refused("h.uff", uneven_function(6, 18, frequencies)), {"1 with other functions"});
 }
 
+TEST(FrequencyData, AccelerationsAfterABlowLackTheBlow)
+{
+  std::string accelerations = uneven_function(1, 17, {0, 0.001, 0.002, 0.003, 0.004, 0.005});
+  accelerations.replace(accelerations.find("         8    1    0    0 Displacement         m"), 10,
+                        "        12");
+  accelerations.replace(accelerations.find("Displacement         m") + 21, 1, "m/s^2");
+  expect_words(refused("g.uff", accelerations), {"g.uff", "acceleration after a blow", "1 / mass"});
+}
+
+TEST(FrequencyData, NamesOfPointsDiffer)
+{
+  const auto driving_point = [](const std::string &entity, const int node)
+  {
+    std::string text = foreign;
+    char line[96];
+    std::snprintf(line, sizeof line, "    4         1    0         0 %-10s%10d   3 %-10s%10d   3\n",
+                  entity.c_str(), node, entity.c_str(), node);
+    const std::size_t at = text.find("    4         1    0");
+    return text.replace(at, text.find('\n', at) + 1 - at, line);
+  };
+  const FrequencyData data =
+      read_uff58("p.uff", driving_point("P2", 1) + driving_point("P", 1) + driving_point("P", 2));
+  EXPECT_EQ(std::set<std::string>(data.labels.begin(), data.labels.end()).size(), 3u);
+}
+
 TEST(FrequencyData, ImpulseResponse)
 {
   // m = 1, omega_d = 100, decay 20: G = 1 / ((s + 20)^2 + 100^2)
@@ -265,8 +291,19 @@ TEST(FrequencyData, WrongDataAreRefused)
   expect_words(labelled("m/s^2", "m"), {"'m'"});
   expect_words(labelled("N", "lbf"), {"denominator", "'lbf'"});
   expect_words(labelled("Hz", "kHz"), {"abscissa", "'kHz'"});
-  for (const std::string same : {"NONE", "", "M/S2", "m/s\u00b2", "(m/sec**2)/N", "m/s/s"})
+  expect_words(labelled("m/s^2", "m/Ns"), {"'m/Ns'"});
+  expect_words(labelled("Hz", "ms"), {"'ms'"});
+  for (const std::string same : {"NONE", "null", "", "M/S2", "m/s\u00b2", "(m/sec**2)/N", "m/s/s", "m s^-2",
+                                 "m.s-2", "ms^-2", "m\u00b7s-2", "m/(s^2 N)", "m/(N s^2)", "1/kg",
+                                 "Meters/sec^2", "M/SEC**2", "m s\u207b\u00b2", "m/(N*s^2)", "m/s^(2)"})
     EXPECT_EQ(labelled("m/s^2", same), "nothing was refused") << same;
+  for (const std::string same : {"Newton", "NEWTONS", "n", "kg m/s^2"})
+    EXPECT_EQ(labelled("N", same), "nothing was refused") << same;
+  for (const std::string same : {"Hertz", "1/s", "s^-1", "HZ"})
+    EXPECT_EQ(labelled("Hz", same), "nothing was refused") << same;
+  std::string unsaid = foreign;
+  unsaid.replace(unsaid.find("        12    1    0    0 Acc"), 10, "         0");
+  expect_words(refused("d.unv", unsaid), {"'m/s^2'", "acceleration 12"});
   std::string hole = foreign;
   hole.replace(hole.find(" -1.00000E+00"), 13, "          NaN");
   expect_words(refused("d.unv", hole), {"line 20", "NaN"});
