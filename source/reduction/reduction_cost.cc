@@ -83,7 +83,7 @@ namespace vibrocontact
     };
     if (n_rows > 0)
       cost.stages.push_back({"compliance of the crown", 2 * size, bytes});
-    frequencies("receptance", n_of_poles, 0.09);
+    frequencies("receptance", n_of_poles, 0.13);
     frequencies("frequency response", n_of_response, 1.5);
     cost.peak = bytes;
     return cost;

@@ -88,19 +88,6 @@ namespace vibrocontact
       return table;
     }
 
-    SectionShapes shapes_of(const TrackReduction &track)
-    {
-      return {track.section_shapes, std::vector<bool>(track.axial.begin(), track.axial.end()), track.shares};
-    }
-
-    void keep_shapes(const SectionShapes &shapes, TrackReduction &into)
-    {
-      into.n_shapes = shapes.n();
-      into.section_shapes = shapes.shapes;
-      into.axial.assign(shapes.axial.begin(), shapes.axial.end());
-      into.shares = shapes.shares;
-    }
-
     ComplexMatrix at_points(const DenseMatrix &motions, const ComplexMatrix &shapes)
     {
       ComplexMatrix result(motions.m(), shapes.n());
@@ -142,9 +129,8 @@ namespace vibrocontact
     {
       TrackInContact::Settings settings;
       settings.up_to = 1.2 * rail().fitted_up_to;
-      const SectionShapes known = reduced ? shapes_of(*reduced) : SectionShapes();
       made = std::make_unique<const TrackInContact>(parameters, rail(), grid, settings,
-                                                    reduced ? &known : nullptr);
+                                                    reduced ? &reduced->section : nullptr);
     }
     return *made;
   }
@@ -217,7 +203,7 @@ namespace vibrocontact
     {
       TrackReduction &result = reduced.emplace();
       result.n_dofs = track.n_section_dofs();
-      keep_shapes(track.shapes(), result);
+      result.section = track.shapes();
       result.radius = track.radius();
       result.motions = track.motions;
       result.at_rest = track.at_rest();
@@ -226,7 +212,7 @@ namespace vibrocontact
       result.bed = track.bed_compliance();
       result.surface_height = track.surface_height();
       run_log().value("dofs of the section", result.n_dofs);
-      run_log().value("shapes of the section", result.n_shapes);
+      run_log().value("shapes of the section", result.section.n());
       run_log().line("compliance of " + std::to_string(result.bed.m()) +
                      " rows: " + time_text(timer.wall_time()));
     }

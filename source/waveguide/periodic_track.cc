@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <tuple>
 
 namespace vibrocontact
 {
@@ -13,6 +14,8 @@ namespace vibrocontact
   namespace
   {
     constexpr double place_slack = 1e-9;
+    /// of a load to spans that move in all shapes of the section as well [m]: what it does to the section has decayed there
+    constexpr double near_load = 0.15;
 
     DenseVector kept_of(const DenseVector &vector, const std::vector<unsigned int> &kept)
     {
@@ -70,13 +73,6 @@ namespace vibrocontact
           result.forces(i, j) = slice.forces(row(i), j);
       }
       return result;
-    }
-
-    Slice with_loads(Slice slice, const unsigned int n_loads)
-    {
-      slice.forces.reinit(2 * slice.n_shapes(), n_loads);
-      slice.compliance.reinit(n_loads, n_loads);
-      return slice;
     }
 
     /// Motion of the far end of a slice under that of its near end, what follows beyond the far end being known:
@@ -202,15 +198,31 @@ namespace vibrocontact
     AtFrequency result;
     result.omega = omega;
     const TrackSection far = whole_section(true);
-    const SpanElements elements = {element_length, degree, -1};
+    const SpanElements elements = {element_length, degree};
     const bool two_rails = support.sleeper.any() && support.sleeper.beam;
+    const auto pieces = [&](const TrackSpan &span)
+    { return span_pieces(far, support, support.sleeper.n_motions(), span, elements, omega, {}); };
+    const SpanPieces of_equal =
+        pieces({first_support, first_support - spacing / 2, first_support + spacing / 2, 1});
+    const unsigned int n = own.size();
+    std::vector<SpanPieces> of_own;
+    // spans of a finite track without scatter are those before them
+    std::vector<unsigned int> made;
+    for (unsigned int k = 0; k < n; ++k)
+    {
+      const TrackSpan span = span_of(k), last = k > 0 ? span_of(k - 1) : TrackSpan();
+      const auto same = [&](const double a, const double b) { return std::abs(a - b) < 1e-12 * spacing; };
+      if (!(k > 0 && span.pad_factor == last.pad_factor &&
+            same(span.support - span.begin, last.support - last.begin) &&
+            same(span.end - span.support, last.end - last.support)))
+        of_own.push_back(pieces(span));
+      made.push_back(of_own.size() - 1);
+    }
     for (const RailPair pair : two_rails ? pairs : std::vector<RailPair>{RailPair::antisymmetric})
     {
       RailMotion motion;
       motion.seat = seat(omega, pair);
-      const auto slice = [&](const TrackSpan &span)
-      { return span_slice(far, support, motion.seat, span, elements, omega, {}); };
-      motion.span = slice({first_support, first_support - spacing / 2, first_support + spacing / 2, 1});
+      motion.span = on_seat(of_equal, motion.seat);
       InfiniteEnds ends;
       if (own.empty() || beyond == TrackEnds::track)
         ends = infinite_ends(motion.span);
@@ -218,19 +230,9 @@ namespace vibrocontact
         // at rest a rail alone carries nothing
         ends = infinite_ends(
             uniform_slice(SectionAtFrequency(far.matrices, omega), spacing, element_length, degree, 0));
-      const unsigned int n = own.size();
       for (unsigned int k = 0; k < n; ++k)
-      {
-        const TrackSpan span = span_of(k), last = k > 0 ? span_of(k - 1) : TrackSpan();
-        const auto same = [&](const double a, const double b) { return std::abs(a - b) < 1e-12 * spacing; };
-        // spans of a finite track without scatter
-        if (k > 0 && span.pad_factor == last.pad_factor &&
-            same(span.support - span.begin, last.support - last.begin) &&
-            same(span.end - span.support, last.end - last.support))
-          motion.own_spans.push_back(motion.own_spans.back());
-        else
-          motion.own_spans.push_back(slice(span));
-      }
+        motion.own_spans.push_back(k > 0 && made[k] == made[k - 1] ? motion.own_spans.back()
+                                                                   : on_seat(of_own[made[k]], motion.seat));
       const unsigned int m = far.matrices.n_shapes();
       motion.left = {ends.left};
       for (unsigned int k = 0; k < n; ++k)
@@ -262,6 +264,10 @@ namespace vibrocontact
       from = std::min(from, load.centre - load.length / 2);
       to = std::max(to, load.centre + load.length / 2);
     }
+    // and what is near them, as far as the track goes
+    const auto [begin, end] = reach();
+    from = std::min(from, std::max(from - near_of_loads(), begin + 2 * place_slack));
+    to = std::max(to, std::min(to + near_of_loads(), end - 2 * place_slack));
     int first = number_at(from), last = std::max(first, number_at(to));
     if (!own.empty())
     {
@@ -272,14 +278,42 @@ namespace vibrocontact
     return {first, last};
   }
 
-  Slice PeriodicTrack::loaded_part(const RailMotion &motion, const Complex omega,
-                                   const std::vector<AxialLoad> &rail_loads) const
+  double PeriodicTrack::near_of_loads() const
+  {
+    return far_shapes.empty() ? 0. : near_load;
+  }
+
+  PeriodicTrack::LoadedPart PeriodicTrack::loaded_part(const Complex omega,
+                                                       const std::vector<AxialLoad> &rail_loads,
+                                                       const std::pair<int, int> &range) const
   {
     const TrackSection whole = whole_section(false);
     std::vector<AxialLoad> loads;
     for (const AxialLoad &load : rail_loads)
       loads.push_back(on_whole(load));
-    const auto [first, last] = loaded_spans(loads);
+    LoadedPart part;
+    std::tie(part.first, part.last) = range;
+    part.n_loads = loads.size();
+    for (int j = part.first; j <= part.last; ++j)
+    {
+      const TrackSpan span = span_of(j);
+      const bool is_near = std::any_of(loads.begin(), loads.end(),
+                                       [&](const AxialLoad &load)
+                                       {
+                                         const double reach = load.length / 2 + near_of_loads();
+                                         return load.centre + reach > span.begin + place_slack &&
+                                                load.centre - reach < span.end + place_slack;
+                                       });
+      part.pieces.emplace_back();
+      if (is_near)
+        part.pieces.back() = span_pieces(whole, support, support.sleeper.n_motions(), span,
+                                         {element_length, degree}, omega, loads);
+    }
+    return part;
+  }
+
+  Slice PeriodicTrack::in_motion(const LoadedPart &part, const RailMotion &motion) const
+  {
     // spans with loads in all shapes, up to the next one without
     std::optional<Slice> track, near;
     const auto close = [&]
@@ -288,36 +322,26 @@ namespace vibrocontact
         follow(track, ends_in(*near, far_of_whole()));
       near.reset();
     };
-    for (int j = first; j <= last; ++j)
-    {
-      const TrackSpan span = span_of(j);
-      const bool loaded = std::any_of(loads.begin(), loads.end(),
-                                      [&](const AxialLoad &load)
-                                      {
-                                        return load.centre + load.length / 2 > span.begin + place_slack &&
-                                               load.centre - load.length / 2 < span.end + place_slack;
-                                      });
-      if (loaded)
-        follow(near,
-               span_slice(whole, support, motion.seat, span, {element_length, degree, -1}, omega, loads));
+    for (int j = part.first; j <= part.last; ++j)
+      if (const std::optional<SpanPieces> &loaded = part.pieces[j - part.first])
+        follow(near, on_seat(*loaded, motion.seat));
       else
       {
         close();
-        follow(track, with_loads(unloaded(motion, j), loads.size()));
+        follow(track, with_loads(unloaded(motion, j), part.n_loads));
       }
-    }
     close();
     return *track;
   }
 
   ComplexMatrix PeriodicTrack::receptance(const AtFrequency &at, const std::vector<AxialLoad> &loads) const
   {
-    const auto [first, last] = loaded_spans(loads);
+    const LoadedPart part = loaded_part(at.omega, loads, loaded_spans(loads));
     ComplexMatrix sum(loads.size(), loads.size());
     for (const RailMotion &motion : at.motions)
       sum.add(1. / at.motions.size(),
-              vibrocontact::receptance(loaded_part(motion, at.omega, loads), left_of(motion, first),
-                                       right_of(motion, last)));
+              vibrocontact::receptance(in_motion(part, motion), left_of(motion, part.first),
+                                       right_of(motion, part.last)));
     return sum;
   }
 
@@ -348,10 +372,11 @@ namespace vibrocontact
       for (unsigned int l = 0; l < n; ++l)
         near.push_back(observed(place(j), l));
     std::vector<std::vector<Complex>> result(n, std::vector<Complex>(n_places));
+    const LoadedPart pieces = loaded_part(at.omega, near, {first, last});
     for (const RailMotion &motion : at.motions)
     {
       const double share = 1. / at.motions.size();
-      const Slice part = loaded_part(motion, at.omega, near);
+      const Slice part = in_motion(pieces, motion);
       const InfiniteEnds ends = {right_of(motion, last), left_of(motion, first)};
       const ComplexMatrix H = vibrocontact::receptance(part, ends.left, ends.right);
       ComplexMatrix q = end_motions(part, ends), begin(part.n_shapes(), n), finish(begin);
@@ -393,7 +418,7 @@ namespace vibrocontact
             load.linear = kept_of(load.linear, far_shapes);
             load = on_whole(load);
           }
-          next = span_slice(whole_section(true), support, motion.seat, span, {element_length, degree, -1},
+          next = span_slice(whole_section(true), support, motion.seat, span, {element_length, degree},
                             at.omega, reduced);
           over = across(next, right_of(motion, number), 0, m);
         }

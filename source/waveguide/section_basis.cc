@@ -131,6 +131,7 @@ namespace vibrocontact
       answer(k, -k * k, false);
 
     SectionShapes result;
+    result.dofs = elements.mark_of_dofs();
     Vectors shapes;
     for (const bool axial : {true, false})
     {

@@ -1,3 +1,4 @@
+#include <vibrocontact/base/checksum.h>
 #include <vibrocontact/waveguide/section_elements.h>
 
 #include <deal.II/base/qprojector.h>
@@ -223,5 +224,14 @@ namespace vibrocontact
           result[1] = std::max(result[1], face->vertex(v)[0]);
         }
     return result;
+  }
+
+  std::string SectionElements::mark_of_dofs() const
+  {
+    Checksum sum;
+    for (const Point<2> &place : dof_position)
+      sum.add(std::vector<double>{place[0], place[1]});
+    sum.add(dof_direction);
+    return hexadecimal(sum.value());
   }
 } // namespace vibrocontact

@@ -86,17 +86,6 @@ namespace vibrocontact
       add(K0, springs, 0, 0, 1.);
   }
 
-  SectionAtFrequency::SectionAtFrequency(const SectionMatrices &section, const Complex omega,
-                                         const double loss, const ComplexMatrix &springs)
-      : SectionAtFrequency(section, omega, springs)
-  {
-    ComplexMatrix *const sums[3] = {&K0, &K1, &K2};
-    for (unsigned int j = 0; j < 3; ++j)
-      for (unsigned int c = 0; c < n_shapes(); ++c)
-        for (unsigned int r = 0; r < n_shapes(); ++r)
-          (*sums[j])(r, c) += Complex(0, loss * section.stiffness[j](r, c) - section.loss_stiffness[j](r, c));
-  }
-
   Slice element_slice(const SectionAtFrequency &section, const double from, const double length,
                       const unsigned int degree, const std::vector<AxialLoad> &loads)
   {
@@ -190,7 +179,12 @@ namespace vibrocontact
     Slice slice = element_slice(section, 0, length / (1u << doublings), degree, {});
     for (unsigned int k = 0; k < doublings; ++k)
       slice = join(slice, slice);
-    slice.forces.reinit(2 * section.n_shapes(), n_loads);
+    return with_loads(std::move(slice), n_loads);
+  }
+
+  Slice with_loads(Slice slice, const unsigned int n_loads)
+  {
+    slice.forces.reinit(2 * slice.n_shapes(), n_loads);
     slice.compliance.reinit(n_loads, n_loads);
     return slice;
   }
@@ -209,14 +203,14 @@ namespace vibrocontact
     slice.compliance.reinit(0, 0);
     for (unsigned int k = 0; k < most_doublings; ++k)
     {
-      double across = 0, own = 0;
+      // each motion by its own stiffness: a slab may be stiffer by far than the rail on it
+      bool any_across = false;
       for (unsigned int c = 0; c < m; ++c)
         for (unsigned int r = 0; r < m; ++r)
-        {
-          across = std::max(across, std::abs(slice.stiffness(r, m + c)));
-          own = std::max(own, std::abs(slice.stiffness(r, c)));
-        }
-      if (across < 1e-14 * own)
+          any_across = any_across ||
+                       std::norm(slice.stiffness(r, m + c)) >
+                           1e-28 * std::abs(slice.stiffness(r, r)) * std::abs(slice.stiffness(m + c, m + c));
+      if (!any_across)
         return {block(slice.stiffness, 0, 0, m, m), block(slice.stiffness, m, m, m, m)};
       slice = join(slice, slice);
     }

@@ -91,9 +91,11 @@ namespace vibrocontact
     SmoothShapesSettings smooth;
     smooth.up_to = settings.up_to;
     smooth.tolerance = settings.tolerance;
+    // another version of a library may number a section's dofs in another way
     section_shapes =
-        known ? *known
-              : track_shapes(elements, track.support, {section.lateral_position + y}, width, {}, smooth);
+        known && known->dofs == elements.mark_of_dofs()
+            ? *known
+            : track_shapes(elements, track.support, {section.lateral_position + y}, width, {}, smooth);
     track.section = track_section(elements, section_shapes);
     keep_far_shapes(track, section_shapes);
     const auto six = patch_motions(elements, section_shapes, x, section.lateral_position + y, length, width);

@@ -161,7 +161,7 @@ namespace vibrocontact
       {
       }
 
-      Slice with_loads(const double length, const unsigned int n_loads)
+      const Slice &of_length(const double length)
       {
         auto made =
             std::find_if(known.begin(), known.end(),
@@ -169,10 +169,7 @@ namespace vibrocontact
         if (made == known.end())
           made = known.insert(made,
                               {length, uniform_slice(section, length, elements.length, elements.degree, 0)});
-        Slice result = made->second;
-        result.forces.reinit(2 * section.n_shapes(), n_loads);
-        result.compliance.reinit(n_loads, n_loads);
-        return result;
+        return made->second;
       }
 
       const SectionAtFrequency section;
@@ -184,11 +181,12 @@ namespace vibrocontact
     };
   } // namespace
 
-  Slice span_slice(const TrackSection &section, const TrackSupport &support, const ComplexMatrix &seat,
-                   const TrackSpan &span, const SpanElements &elements, const Complex omega,
-                   const std::vector<AxialLoad> &loads)
+  SpanPieces span_pieces(const TrackSection &section, const TrackSupport &support,
+                         const unsigned int n_seat_motions, const TrackSpan &span,
+                         const SpanElements &elements, const Complex omega,
+                         const std::vector<AxialLoad> &loads)
   {
-    const unsigned int m = section.matrices.n_shapes(), n_seat = seat.m();
+    const unsigned int m = section.matrices.n_shapes();
     const double begin = span.begin, end = span.end, pad_begin = span.support - support.pad_length / 2,
                  pad_end = span.support + support.pad_length / 2, slack = 1e-9 * (end - begin);
     const std::vector<Complex> pad_stiffness = pad_against_seat(support, span.pad_factor, section.foot_width);
@@ -200,12 +198,8 @@ namespace vibrocontact
         for (unsigned int r = 0; r < m; ++r)
           springs(r, c) += per_area * section.foot_springs[d](r, c);
     }
-    const auto at_frequency = [&](const ComplexMatrix &bed)
-    {
-      return elements.loss < 0 ? SectionAtFrequency(section.matrices, omega, bed)
-                               : SectionAtFrequency(section.matrices, omega, elements.loss, bed);
-    };
-    UniformPieces between(at_frequency(ComplexMatrix()), elements), on_pad(at_frequency(springs), elements);
+    UniformPieces between({section.matrices, omega}, elements),
+        on_pad({section.matrices, omega, springs}, elements);
 
     std::vector<double> divisions = {begin, pad_begin, pad_end, end};
     for (const AxialLoad &load : loads)
@@ -253,7 +247,7 @@ namespace vibrocontact
             follow(piece, element_slice(at, a + e * (b - a) / n, (b - a) / n, elements.degree, with));
         }
         else
-          piece = unloaded.with_loads(b - a, with.size());
+          piece = with_loads(unloaded.of_length(b - a), with.size());
         for (unsigned int j = 0; j < with.size(); ++j)
           if (with[j].length == 0 && std::abs(with[j].centre - b) < slack)
             add_section_load(*piece, j, with[j].constant);
@@ -263,7 +257,7 @@ namespace vibrocontact
     };
 
     std::vector<AxialLoad> with_seat = loads;
-    for (unsigned int d = 0; d < n_seat; ++d)
+    for (unsigned int d = 0; d < n_seat_motions; ++d)
     {
       AxialLoad load;
       load.centre = span.support;
@@ -273,13 +267,30 @@ namespace vibrocontact
       load.linear.reinit(m);
       with_seat.push_back(load);
     }
-    Slice whole = pieces(pad_begin, pad_end, on_pad, with_seat);
-    if (n_seat > 0)
-      whole = on_sleeper(whole, pad_stiffness, seat);
+    SpanPieces result;
+    result.pad_stiffness = pad_stiffness;
+    result.on_pad = pieces(pad_begin, pad_end, on_pad, with_seat);
     if (pad_begin > begin + slack)
-      whole = join(pieces(begin, pad_begin, between, loads), whole);
+      result.before = pieces(begin, pad_begin, between, loads);
     if (pad_end < end - slack)
-      whole = join(whole, pieces(pad_end, end, between, loads));
+      result.behind = pieces(pad_end, end, between, loads);
+    return result;
+  }
+
+  Slice on_seat(const SpanPieces &pieces, const ComplexMatrix &seat)
+  {
+    Slice whole = seat.m() > 0 ? on_sleeper(pieces.on_pad, pieces.pad_stiffness, seat) : pieces.on_pad;
+    if (pieces.before)
+      whole = join(*pieces.before, whole);
+    if (pieces.behind)
+      whole = join(whole, *pieces.behind);
     return whole;
+  }
+
+  Slice span_slice(const TrackSection &section, const TrackSupport &support, const ComplexMatrix &seat,
+                   const TrackSpan &span, const SpanElements &elements, const Complex omega,
+                   const std::vector<AxialLoad> &loads)
+  {
+    return on_seat(span_pieces(section, support, seat.m(), span, elements, omega, loads), seat);
   }
 } // namespace vibrocontact

@@ -271,7 +271,15 @@ TEST(PeriodicTrack, infinite_against_48_m_with_anechoic_ends)
   // pieces end at mid-span: spans are of one piece each
   std::map<unsigned int, Slice> end_spans;
   for (unsigned int piece = 1; piece <= ends.anechoic_lengths.size(); ++piece)
-    end_spans.emplace(piece, span_about(rail.track, omega, 0.3, {}, ends.anechoic_loss(piece)));
+  {
+    PeriodicTrack lossy = rail.track;
+    for (unsigned int j = 0; j < 3; ++j)
+    {
+      lossy.section.matrices.loss_stiffness[j] = lossy.section.matrices.stiffness[j];
+      lossy.section.matrices.loss_stiffness[j] *= ends.anechoic_loss(piece);
+    }
+    end_spans.emplace(piece, span_about(lossy, omega, 0.3, {}));
+  }
   const auto span = [&](const double x)
   {
     const unsigned int piece = ends.anechoic_piece(x);
@@ -294,29 +302,50 @@ TEST(PeriodicTrack, infinite_against_48_m_with_anechoic_ends)
   }
 }
 
-// Spans of an irregular track that are not loaded move in the smooth shapes of greatest share alone: what that costs.
+// Spans of an irregular track that are far from loads move in the smooth shapes of greatest share alone: what that costs, for a
+// load across a border and for one beside it.
 TEST(PeriodicTrack, irregular_track_in_fewer_shapes)
 {
   const Rail rail(2, 0.3);
-  const std::vector<AxialLoad> loads = {patch(rail.elements, rail.shapes, 0, 0, 0.08, 0.02, 2),
-                                        patch(rail.elements, rail.shapes, 0, 0, 0.08, 0.02, 1)};
   PeriodicTrack exact = rail.track;
   exact.own = irregular_supports({40, 0.2, 0.03, 3}, 0.6, false);
   PeriodicTrack fewer = exact;
   keep_far_shapes(fewer, rail.shapes);
   std::cout << fewer.far_shapes.size() << " of " << rail.shapes.n() << " shapes" << std::endl;
   EXPECT_LT(fewer.far_shapes.size(), rail.shapes.n());
-  for (const double f : {3417.})
+  constexpr double omega = 2 * PI * 3417, length = 0.08;
+  const PeriodicTrack::AtFrequency at_exact = exact.at(omega), at_fewer = fewer.at(omega),
+                                   at_even = rail.track.at(omega);
+  for (const double x : {0., length / 2 + 1e-3})
   {
-    const auto receptance = [&](const PeriodicTrack &track)
-    { return track.receptance(track.at(2 * PI * f), loads); };
-    const ComplexMatrix right = receptance(exact), got = receptance(fewer), even = receptance(rail.track);
+    const std::vector<AxialLoad> loads = {patch(rail.elements, rail.shapes, x, 0, length, 0.02, 2),
+                                          patch(rail.elements, rail.shapes, x, 0, length, 0.02, 1)};
+    const ComplexMatrix right = exact.receptance(at_exact, loads), got = fewer.receptance(at_fewer, loads),
+                        even = rail.track.receptance(at_even, loads);
     for (unsigned int j = 0; j < 2; ++j)
     {
       const double off = std::abs(got(j, j) / right(j, j) - 1.);
-      std::cout << f << " Hz, load " << j << ": off by " << off << ", scatter does "
+      std::cout << "x = " << x << " m, load " << j << ": off by " << off << ", scatter does "
                 << std::abs(even(j, j) / right(j, j) - 1.) << std::endl;
       EXPECT_LT(off, 3e-3);
     }
+  }
+}
+
+// A slab moves vertically alone, and one that is heavy enough hardly: its stiffness says nothing of the waves in the rail on it.
+TEST(PeriodicTrack, a_heavy_slab_is_rigid_ground)
+{
+  const Rail rail(1, 0.3);
+  const std::vector<AxialLoad> loads = {patch(rail.elements, rail.shapes, 0, 0, 0.08, 0.02, 2),
+                                        patch(rail.elements, rail.shapes, 0, 0, 0.08, 0.02, 1)};
+  PeriodicTrack heavy = rail.track;
+  heavy.slab = TrackSlab();
+  heavy.slab->mass = 1e9;
+  for (const double f : {300., 900.})
+  {
+    const ComplexMatrix on_ground = rail.track.receptance(rail.track.at(2 * PI * f), loads),
+                        on_slab = heavy.receptance(heavy.at(2 * PI * f), loads);
+    EXPECT_LT(std::abs(on_slab(0, 0) / on_ground(0, 0) - 1.), 1e-6) << f;
+    EXPECT_LT(std::abs(on_slab(1, 1) / on_ground(1, 1) - 1.), 1e-9) << f;
   }
 }

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 
@@ -137,6 +138,60 @@ TEST(TrackSupports, sleeper_against_modes_of_a_free_beam)
       const ComplexMatrix shears = seat_receptance(concrete_sleeper(), omega, pair);
       EXPECT_LT(std::abs(shears(3, 2) - shears(2, 3)), 1e-8 * std::abs(w)) << f;
     }
+}
+
+// A rigid sleeper by hand: it shifts, rolls and yaws on ballast all along it, under one load of each kind on this seat and its mirror
+// image, or the opposite of that, on the other one.
+TEST(TrackSupports, rigid_sleeper_under_both_rails)
+{
+  Sleeper sleeper = concrete_sleeper();
+  sleeper.ballast_stiffness = {{30e6, 40e6, 60e6}};
+  sleeper.beam->bends = false;
+  const SleeperBeam &beam = *sleeper.beam;
+  const double arm = beam.rail_distance / 2, omega = 2 * PI * 150;
+  const unsigned int n_slices = 2000;
+  // motions of the sleeper: x, y, z, roll about x, yaw about z; y from the middle of the track
+  const auto motion = [](const unsigned int k, const double y)
+  {
+    const double all[5][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, y}, {-y, 0, 0}};
+    return std::array<double, 3>{{all[k][0], all[k][1], all[k][2]}};
+  };
+  std::array<Complex, 5> stiffness{};
+  for (unsigned int k = 0; k < 5; ++k)
+  {
+    for (unsigned int slice = 0; slice < n_slices; ++slice)
+    {
+      const std::array<double, 3> u = motion(k, beam.length * ((slice + 0.5) / n_slices - 0.5));
+      for (unsigned int d = 0; d < 3; ++d)
+        stiffness[k] +=
+            2. / n_slices * u[d] * u[d] *
+            (sleeper.ballast_stiffness[d] * Complex(1, sleeper.ballast_loss) - omega * omega * sleeper.mass);
+    }
+    if (k == 3)
+      stiffness[k] -= omega * omega * 2 * sleeper.mass * std::pow(beam.gyration_radius, 2);
+  }
+  // of a seat: its motions by one of the sleeper, the last one the roll
+  const auto seat_motion = [&](const unsigned int i, const unsigned int k, const double y) {
+    return i < 3 ? motion(k, y)[i] : k == 3 ? 1. : 0.;
+  };
+  for (const RailPair pair : {RailPair::symmetric, RailPair::antisymmetric})
+  {
+    const ComplexMatrix found = seat_receptance(sleeper, omega, pair);
+    const double mirrored[4] = {1, -1, 1, -1}, sign = pair == RailPair::symmetric ? 1 : -1;
+    double largest = 0;
+    for (unsigned int i = 0; i < 4; ++i)
+      for (unsigned int j = 0; j < 4; ++j)
+        largest = std::max(largest, std::abs(found(i, j)));
+    for (unsigned int i = 0; i < 4; ++i)
+      for (unsigned int j = 0; j < 4; ++j)
+      {
+        Complex sum = 0;
+        for (unsigned int k = 0; k < 5; ++k)
+          sum += seat_motion(i, k, arm) / stiffness[k] *
+                 (seat_motion(j, k, arm) + sign * mirrored[j] * seat_motion(j, k, -arm));
+        EXPECT_LT(std::abs(found(i, j) - sum), 1e-6 * largest) << i << j;
+      }
+  }
 }
 
 // Stiff beams roll as the rigid one does; both rails alike on those are carried by today's mass; one loaded rail is the mean.

@@ -143,10 +143,10 @@ namespace vibrocontact
     void visit_track(Archive &archive, Part &part)
     {
       archive("n_dofs", part.n_dofs);
-      archive("n_shapes", part.n_shapes);
-      archive("section_shapes", part.section_shapes);
-      archive("axial", part.axial);
-      archive("shares", part.shares);
+      archive("section/shapes", part.section.shapes);
+      archive("section/axial", part.section.axial);
+      archive("section/shares", part.section.shares);
+      archive("section/dofs", part.section.dofs);
       archive("radius_m", part.radius);
       archive("bed_m_N", part.bed);
       archive("motions", part.motions);
@@ -195,6 +195,8 @@ namespace vibrocontact
           file.write(name, static_cast<double>(value));
         else if constexpr (std::is_same_v<T, std::vector<std::string>>)
           file.write(name, joined(value));
+        else if constexpr (std::is_same_v<T, std::vector<bool>>)
+          file.write(name, std::vector<double>(value.begin(), value.end()));
         else if constexpr (std::is_same_v<T, std::vector<float>>)
           file.write(name, std::vector<double>(value.begin(), value.end()), {true, true});
         else
@@ -266,6 +268,12 @@ namespace vibrocontact
         all(size);
         values.resize(size);
         MPI_Bcast(values.data(), size, dealii::Utilities::MPI::mpi_type_id_for_type<Number>, 0, communicator);
+      }
+      void all(std::vector<bool> &flags) const
+      {
+        std::vector<int> values(flags.begin(), flags.end());
+        all(values);
+        flags.assign(values.begin(), values.end());
       }
       void all(std::vector<std::string> &texts) const
       {

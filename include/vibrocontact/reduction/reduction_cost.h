@@ -60,7 +60,7 @@ namespace vibrocontact
   ReductionCost revolved_cost(double n_dofs, double n_waves, bool with_modes);
 
   /// The same of a periodic rail, measured on the shipped section (813 dofs, quadratic): 2 s for the waves of the section under
-  /// a contact, 0.09 s for each frequency of its poles, 1.5 s for each of a frequency response, with its decay rates along the track.
+  /// a contact, 0.13 s for each frequency of its poles, 1.5 s for each of a frequency response, with its decay rates along the track.
   /// @param n_rows of the contact, 0 without; @param n_of_poles, n_of_response frequencies, shared out over the ranks
   ReductionCost track_cost(double n_dofs, double n_rows, double n_of_poles, double n_of_response);
 } // namespace vibrocontact

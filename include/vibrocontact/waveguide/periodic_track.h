@@ -42,7 +42,7 @@ namespace vibrocontact
     TrackEnds beyond = TrackEnds::track;
     /// how both rails move on sleepers that are beams
     std::vector<RailPair> pairs = {RailPair::symmetric, RailPair::antisymmetric};
-    /// shapes of the section in which unloaded spans move, and all spans where they meet them; empty: all shapes
+    /// shapes of the section in which spans far from loads move, and all spans where they meet them; empty: all shapes
     std::vector<unsigned int> far_shapes;
 
     /// Unloaded spans and what follows at their ends, for one motion of both rails.
@@ -106,9 +106,21 @@ namespace vibrocontact
     /// what follows beyond the right end of a span, and beyond the left one of another
     const ComplexMatrix &right_of(const RailMotion &motion, int number) const;
     const ComplexMatrix &left_of(const RailMotion &motion, int number) const;
-    /// the numbers of the first and the last span that is loaded
+    /// how far from loads spans move in all shapes [m]
+    double near_of_loads() const;
+    /// the numbers of the first and the last span that is loaded, or near a load
     std::pair<int, int> loaded_spans(const std::vector<AxialLoad> &loads) const;
-    Slice loaded_part(const RailMotion &motion, std::complex<double> omega,
-                      const std::vector<AxialLoad> &loads) const;
+    /// A row of spans with loads, the same for all motions of the rails.
+    struct LoadedPart
+    {
+      int first = 0, last = 0;
+      unsigned int n_loads = 0;
+      /// null of those far from loads between them
+      std::vector<std::optional<SpanPieces>> pieces;
+    };
+    /// @param range first and last span
+    LoadedPart loaded_part(std::complex<double> omega, const std::vector<AxialLoad> &loads,
+                           const std::pair<int, int> &range) const;
+    Slice in_motion(const LoadedPart &part, const RailMotion &motion) const;
   };
 } // namespace vibrocontact

@@ -11,6 +11,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace vibrocontact
@@ -66,6 +67,8 @@ namespace vibrocontact
     /// place (y, z) [m] and direction (0 x, 1 y, 2 z) of each dof
     std::vector<dealii::Point<2>> dof_position;
     std::vector<unsigned char> dof_direction;
+    /// Sixteen digits that change with them.
+    std::string mark_of_dofs() const;
     /// of the section [m^2]
     double area = 0;
 

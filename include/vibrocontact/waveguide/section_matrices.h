@@ -30,6 +30,8 @@ namespace vibrocontact
     std::vector<bool> axial;
     /// of smooth shapes: how much of the motions each holds, beyond all bounds if it is always kept (section_basis.h); else empty
     std::vector<double> shares;
+    /// SectionElements::mark_of_dofs() of those whose shapes they are; empty: not said
+    std::string dofs;
 
     unsigned int n() const { return axial.size(); }
     /// S^T f of a load on the section

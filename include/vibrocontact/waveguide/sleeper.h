@@ -49,8 +49,8 @@ namespace vibrocontact
     std::optional<SleeperBeam> beam;
 
     bool any() const { return mass > 0; }
-    /// motions of a seat: x, y, z [m], and of a beam the roll about x [rad]
-    unsigned int n_motions() const { return beam ? 4 : 3; }
+    /// motions of a seat: x, y, z [m], and of a beam the roll about x [rad]; none on rigid ground
+    unsigned int n_motions() const { return !any() ? 0 : beam ? 4 : 3; }
   };
 
   /// Motions of a rail's seat under forces and a moment on it, with the same (mirrored) ones on the other seat; square

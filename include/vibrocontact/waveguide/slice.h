@@ -49,9 +49,6 @@ namespace vibrocontact
     /// @param springs complex, added to K0 [N/m^2]; empty: none
     SectionAtFrequency(const SectionMatrices &section, std::complex<double> omega,
                        const ComplexMatrix &springs = ComplexMatrix());
-    /// @param loss loss factor in place of those of the materials
-    SectionAtFrequency(const SectionMatrices &section, std::complex<double> omega, double loss,
-                       const ComplexMatrix &springs = ComplexMatrix());
 
     ComplexMatrix K0, K1, K2;
     unsigned int n_shapes() const { return K0.m(); }
@@ -66,6 +63,9 @@ namespace vibrocontact
   /// A uniform piece of any length without loads, from equal elements not longer than one_element by doubling.
   Slice uniform_slice(const SectionAtFrequency &section, double length, double one_element,
                       unsigned int degree, unsigned int n_loads);
+
+  /// A piece without loads among so many that do nothing in it.
+  Slice with_loads(Slice slice, unsigned int n_loads);
 
   /// right follows left.
   Slice join(const Slice &left, const Slice &right);

@@ -29,7 +29,7 @@ namespace vibrocontact
       CrownWaves waves = {};
     };
 
-    /// @param known shapes() of another one with the same section, patch and settings; null: they are found
+    /// @param known shapes() of another one with the same section, patch and settings; null, or of other dofs: they are found
     /// @throws InputError if the grid leaves the crown
     TrackInContact(const BodyParameters &body, const RailParameters &rail, const ContactGrid &grid,
                    const Settings &settings, const SectionShapes *known = nullptr);

@@ -14,7 +14,7 @@ namespace vibrocontact
   /// @throws InputError if something from x = from to x = to lies beyond the ends of the rail
   void check_on_track(const PeriodicTrack &track, double from, double to);
 
-  /// Spans of an irregular track that are not loaded move in the smooth shapes of greatest share alone.
+  /// Spans of an irregular track that are far from loads move in the smooth shapes of greatest share alone.
   void keep_far_shapes(PeriodicTrack &track, const SectionShapes &shapes);
 
   /// The six motions of a patch of the crown, as loads: mean displacements along x, y, z [m], then rotations about x, y, z

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vibrocontact/base/dense.h>
+#include <vibrocontact/waveguide/section_matrices.h>
 
 #include <vector>
 
@@ -9,11 +10,8 @@ namespace vibrocontact
   /// What is kept of a periodic track in contact (track_in_contact.h), G = bed + motions (R(omega) - on_bed) motions^T.
   struct TrackReduction
   {
-    unsigned int n_dofs = 0, n_shapes = 0;
-    /// of the section, as SectionShapes; n_dofs x n_shapes, n_shapes each
-    DenseMatrix section_shapes;
-    std::vector<int> axial;
-    std::vector<double> shares;
+    unsigned int n_dofs = 0;
+    SectionShapes section;
     /// by which rotations are lengths [m]
     double radius = 0;
     /// 3 n square [m/N]; 3 n x 6; 6 square [m/N]

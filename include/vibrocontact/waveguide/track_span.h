@@ -5,6 +5,7 @@
 
 #include <array>
 #include <complex>
+#include <optional>
 #include <vector>
 
 namespace vibrocontact
@@ -79,12 +80,24 @@ namespace vibrocontact
     /// longest element along the rail [m], its polynomial degree
     double length = 0.04;
     unsigned int degree = 4;
-    /// loss factor of the rail in place of its materials'; negative: theirs
-    double loss = -1;
   };
 
-  /// Free rail, rail on its pad, free rail. Loads that are not in it do nothing.
-  /// @param seat receptance of the sleeper below the pad (sleeper.h); empty: rigid ground
+  /// Free rail, rail on its pad, free rail: the same for all motions of the seat below the pad.
+  struct SpanPieces
+  {
+    /// empty where the pad reaches to the end of the span
+    std::optional<Slice> before, behind;
+    /// on a seat that is held; behind the loads forces between seat and foot, one for each motion of the seat
+    Slice on_pad;
+    /// of the pad against motions of a seat [N/m], roll [N m]
+    std::vector<std::complex<double>> pad_stiffness;
+  };
+  /// Loads that are not in the span do nothing. @param n_seat_motions 0: rigid ground
+  SpanPieces span_pieces(const TrackSection &section, const TrackSupport &support,
+                         unsigned int n_seat_motions, const TrackSpan &span, const SpanElements &elements,
+                         std::complex<double> omega, const std::vector<AxialLoad> &loads);
+  /// The whole span. @param seat receptance of the sleeper below the pad (sleeper.h); empty: rigid ground
+  Slice on_seat(const SpanPieces &pieces, const ComplexMatrix &seat);
   Slice span_slice(const TrackSection &section, const TrackSupport &support, const ComplexMatrix &seat,
                    const TrackSpan &span, const SpanElements &elements, std::complex<double> omega,
                    const std::vector<AxialLoad> &loads);

@@ -140,12 +140,16 @@ namespace vibrocontact
 
   Table TrackResponse::decay_rates(const std::string &body) const
   {
+    const std::size_t n_places = squares.empty() ? 0 : squares.begin()->second[0].size();
     Table table(
         {"frequency_Hz", "vertical_dB_m", "lateral_dB_m", "vertical_on_grid_dB_m", "lateral_on_grid_dB_m"},
         {"Decay rates of " + body +
              " along the track after EN 15461, from the contact on, places at quarters of "
              "a span, " +
-             std::to_string(most_spans) + " spans",
+             (n_places > 4 * most_spans
+                  ? std::to_string(most_spans) + " spans"
+                  : "the " + std::to_string(n_places) +
+                        " of them up to the end of its supports: what goes on beyond is not in the sums"),
          "on_grid: at 29 of these places, by quarters to 2 spans, halves to 4, whole ones to 8, then 10, "
          "12, 14, 16, 20, 24, 30, 36, 42, 48, 54, 66"});
     const double spacing = rail.track.spacing;
