@@ -234,10 +234,13 @@ namespace vibrocontact
         const ReductionRequest &own = of_the_file[k]->reduction.request();
         known[reduction_text(k, own.key, own.modes)] = of_the_file[k];
       }
+    // poles are fitted to what the key stands for
+    const auto track_text = [](const std::string &key, const BodyParameters &body)
+    { return key + "\npole pairs " + std::to_string(body.description->periodic_rail()->n_pole_pairs); };
     std::map<std::string, std::shared_ptr<TrackBody>> known_tracks;
     for (const auto &track : of_the_file.tracks)
       if (track)
-        known_tracks[track->key()] = track;
+        known_tracks[track_text(track->key(), track->parameters)] = track;
     std::vector<MeshedBodies> result;
     for (const SweepCase &one : sweep.cases)
     {
@@ -248,7 +251,8 @@ namespace vibrocontact
         std::shared_ptr<TrackBody> track;
         if (one.parameters().scene.bodies[k].is_periodic_rail())
         {
-          std::shared_ptr<TrackBody> &there = known_tracks[one.keys[k]];
+          std::shared_ptr<TrackBody> &there =
+              known_tracks[track_text(one.keys[k], one.parameters().scene.bodies[k])];
           if (!there)
             there = track_body(one.parameters(), one.keys[k], k);
           track = there;

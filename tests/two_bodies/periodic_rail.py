@@ -98,6 +98,12 @@ with open(f"{folder_f}/results.json", encoding="utf-8") as file:
     refused = json.load(file).get("not_converged", [])
 check.near("too few poles are refused", any("change the rail's Pole pairs" in one["message"] for one in refused), True, 1e-9)
 
+# each case of a sweep over the pairs has poles of its own
+pairs, folder_p = wheel("swept_pairs", 24, sweep=[24, 32], swept_entry="rail/Rail/Pole pairs")
+by_poles = [[row["growth_1_s"] for row in table(folder_p, "stability.csv") if row["case"] == case and row["receptance"] == "poles"]
+            for case in (0, 1)]
+check.near("other pairs, other poles", by_poles[0] != by_poles[1], True, 1e-9)
+
 # a contact half a span beyond mid-span stands over a support
 offset, _ = wheel("offset", 24, contact={"Contact_at": "mid-span", "Contact_offset": 0.3})
 found = sorted(root["growth_1_s"] for root in offset["stability"]["unstable"])
