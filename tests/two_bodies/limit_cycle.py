@@ -33,6 +33,7 @@ check.near("trivial multiplier", cycle["stability"]["trivial_multiplier_error"],
 check.near("stable", cycle["stable"], True, 1e-12)
 check.near("amplitude", cycle["amplitude_m_s"], next(one for one in cycle["signals"] if one["name"] == "side_velocity_m_s")["amplitude"], 1e-12)
 check.near("start", cycle["start"] == "pad:mode 2", True, 1e-12)
+check.near("what Newton's method began from", cycle["started_by"] in ("harmonic balance", "a few periods"), True, 1e-12)
 
 # powers over a period: what the motion of the plane brings is taken by friction and by the damping of the modes
 check.near("power", cycle["creepage_power_W"], cycle["friction_power_W"], 0.02)
@@ -92,6 +93,7 @@ for name, text, ranks in (("from_march", scene("limit cycle", FROM_MARCH, PROBES
     found = run(name, text, ranks, may_doubt=True)[0]
     check.near(name + ": cycles", len(found["limit_cycle"]), 1, 1e-12)
     check.near(name + ": start", found["limit_cycle"][0]["start"].startswith("end of transient"), True, 1e-12)
+    check.near(name + ": began from", found["limit_cycle"][0]["started_by"] in ("harmonic balance", "the motion given"), True, 1e-12)
     check.near(name + ": frequency", found["limit_cycle"][0]["frequency_Hz"], cycle["frequency_Hz"], 1e-7)
     check.near(name + ": friction power", found["limit_cycle"][0]["friction_power_W"], cycle["friction_power_W"], 1e-6)
 

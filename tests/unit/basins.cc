@@ -50,8 +50,7 @@ namespace
       EXPECT_TRUE(found.converged) << found.message;
       EXPECT_TRUE(found.stability && found.stability->is_stable());
       // no other harmonic is in it to first order of the pull, and the velocity is 2
-      return {k + 1, map.unpack(found.state), root, found.period,
-              found.stability && found.stability->is_unstable()};
+      return {k + 1, map.unpack(found.state), root, found.period, found.stability->decided()};
     }
   };
 
@@ -118,7 +117,7 @@ TEST(Basins, AnUnstableCycleWinsNowhere)
 {
   TwoModesOnBelt scene;
   std::vector<CycleOfBasin> cycles = {scene.cycle_of_mode(0), scene.cycle_of_mode(1)};
-  cycles[0].is_unstable = true;
+  cycles[0].is_stable = false;
   BasinParameters parameters;
   parameters.n_starts = 1;
   parameters.time_step = 0.05;

@@ -149,7 +149,7 @@ namespace vibrocontact
     {
       const double now = distance_from(k, path.parts.back()),
                    before = distance_from(k, path.parts[path.parts.size() - 2]);
-      if (!cycles[k].is_unstable && now < close && (now <= before || now < there))
+      if (cycles[k].is_stable != false && now < close && (now <= before || now < there))
         return k;
     }
     return {};
@@ -235,9 +235,9 @@ namespace vibrocontact
       winners[share] = paths[share].winner;
     };
     for (const unsigned int k : {0u, 1u})
-      if (parameters.size != 1)
+      if (parameters.size != 1 || !march.is_stable(between[k]))
         follow(k);
-      else if (!march.is_unstable(between[k]))
+      else if (*march.is_stable(between[k]))
         winners[k] = between[k];
     for (unsigned int k = 1; k <= parameters.n_starts; ++k)
       follow(k / (parameters.n_starts + 1.));

@@ -7,6 +7,10 @@
 #include <vibrocontact/base/wall_clock.h>
 
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace vibrocontact
 {
@@ -14,6 +18,13 @@ namespace vibrocontact
   {
     /// periods that are marched where Newton's method led nowhere, before it begins again
     constexpr unsigned int periods_between[] = {12, 36, 108};
+
+    /// How a state for Newton's method to start from is made.
+    struct Start
+    {
+      std::string name;
+      std::function<void()> make;
+    };
     /// what is left of a change over a period where rounding may be the reason
     constexpr double nearly_closed = 1e-8;
     /// of a disturbance along the motion in a period
@@ -73,7 +84,7 @@ namespace vibrocontact
     {
       map.march(cycle.state, cycle.period, true);
       cycle.change_along = map.change_along_motion();
-      if (cycle.change_along > most_change_along)
+      if (!(cycle.change_along <= most_change_along))
       {
         cycle.converged = false;
         cycle.message = "in the motion that repeats itself a disturbance along it changes by " +
@@ -83,7 +94,7 @@ namespace vibrocontact
       }
       if (parameters.n_multipliers > 0)
         cycle.stability = cycle_stability(map.monodromy(), map.rate_of_lasting(), cycle.period);
-      if (cycle.stability && cycle.stability->trivial_error > most_change_along)
+      if (cycle.stability && !(cycle.stability->trivial_error <= most_change_along))
       {
         cycle.converged = false;
         cycle.message =
@@ -137,19 +148,27 @@ namespace vibrocontact
       const std::unique_ptr<const DenseMatrix> linear = linear_cycle_of(map, equilibrium, cycle.period);
       CycleEquations equations(map, map.pack(equilibrium), *linear, parameters.tolerance);
       // by harmonics or a given motion first, then by motions that go on for a while
-      std::optional<CycleStart> given;
+      std::optional<CycleStart> given, start;
       if (from)
         given = start_at(map, motion, root, *from);
-      std::optional<CycleStart> start = given ? start_by_harmonics_of(map, motion, root, equilibrium, *given)
-                                              : start_by_harmonics(map, motion, root, equilibrium);
-      for (unsigned int trial = 0; trial < std::size(periods_between) + 2; ++trial)
+      std::vector<Start> starts = {{"harmonic balance",
+                                    [&]
+                                    {
+                                      start = given ? start_by_harmonics_of(map, motion, root, equilibrium,
+                                                                            *given)
+                                                    : start_by_harmonics(map, motion, root, equilibrium);
+                                    }},
+                                   {given ? "the motion given" : "a few periods",
+                                    [&] { start = given ? *given : start_of_cycle(map, motion, root); }}};
+      for (const unsigned int n : periods_between)
+        starts.push_back(
+            {std::to_string(n) + " periods more", [&, n] { let_go_on(map, motion, n, *start); }});
+      for (const Start &one : starts)
       {
-        if (trial == 0 && !start)
+        one.make();
+        if (!start)
           continue;
-        if (trial == 1)
-          start = given ? *given : start_of_cycle(map, motion, root);
-        if (trial > 1)
-          let_go_on(map, motion, periods_between[trial - 2], *start);
+        cycle.started_by = one.name;
         const NewtonResult result =
             close(equations, parameters.max_newton_iterations, start->state, start->period, cycle);
         // rest repeats itself as well; what is left there is rounding

@@ -101,11 +101,9 @@ namespace vibrocontact
 
   nlohmann::ordered_json failed_json(const LimitCycle &cycle)
   {
-    return {{"start", start_of(cycle)},
-            {"root", root_json(cycle.root)},
-            {"message", cycle.message},
-            {"steps_per_period", cycle.n_steps},
-            {"newton_iterations", cycle.newton_iterations},
+    return {{"start", start_of(cycle)},          {"root", root_json(cycle.root)},
+            {"message", cycle.message},          {"started_by", cycle.started_by},
+            {"steps_per_period", cycle.n_steps}, {"newton_iterations", cycle.newton_iterations},
             {"seconds", cycle.seconds}};
   }
 
@@ -123,8 +121,8 @@ namespace vibrocontact
       const CycleStability &stability = *cycle.stability;
       // of a neutral one it is not known
       json["stable"] = nullptr;
-      if (stability.is_stable() || stability.is_unstable())
-        json["stable"] = stability.is_stable();
+      if (const std::optional<bool> decided = stability.decided())
+        json["stable"] = *decided;
       json["multipliers"] = nlohmann::ordered_json::array();
       for (std::size_t k = 0; k < std::min<std::size_t>(n_multipliers, stability.multipliers.size()); ++k)
       {
@@ -146,6 +144,8 @@ namespace vibrocontact
     json["period_s"] = cycle.period;
     json["steps_per_period"] = cycle.n_steps;
     json["time_step_s"] = cycle.period / cycle.n_steps;
+    if (!cycle.started_by.empty())
+      json["started_by"] = cycle.started_by;
     json["newton_iterations"] = cycle.newton_iterations;
     if (cycle.n_marched_steps > 0) // not of points of a branch
     {

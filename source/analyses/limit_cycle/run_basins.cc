@@ -67,7 +67,8 @@ namespace vibrocontact
       return refuse(std::string("Limit cycle/Basins/Starts asks for motions between two cycles, but ") +
                         (cycles.empty() ? "none" : "one") + " was found that converged.",
                     on.results);
-    if (std::all_of(cycles.begin(), cycles.end(), [](const CycleOfBasin &one) { return one.is_unstable; }))
+    if (std::all_of(cycles.begin(), cycles.end(),
+                    [](const CycleOfBasin &one) { return one.is_stable == false; }))
       return refuse(
           "Limit cycle/Basins/Starts asks which cycle wins, but small disturbances grow out of all that "
           "were found, so that none can: another motion does, which a transient shows.",
@@ -84,9 +85,12 @@ namespace vibrocontact
     {
       BasinMarch march(*window, *scene.pair, scene.at_rest, cycles, own);
       for (unsigned int k = 0; k < cycles.size(); ++k)
-        basins["cycles"].push_back({{"number", cycles[k].number},
-                                    {"frequency_Hz", 1 / cycles[k].period},
-                                    {"velocity_m_s", march.velocities[k]}});
+        basins["cycles"].push_back(
+            {{"number", cycles[k].number},
+             {"frequency_Hz", 1 / cycles[k].period},
+             {"velocity_m_s", march.velocities[k]},
+             {"stable", cycles[k].is_stable ? nlohmann::ordered_json(*cycles[k].is_stable)
+                                            : nlohmann::ordered_json()}});
       for (const char *const list : {"starts", "borders"})
         basins[list] = nlohmann::ordered_json::array();
       std::vector<std::array<unsigned int, 2>> pairs;

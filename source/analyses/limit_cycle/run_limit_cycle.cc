@@ -236,7 +236,7 @@ namespace vibrocontact
         {
           const CycleOfBasin reached = {static_cast<unsigned int>(k + 1), sought.map->unpack(cycle.state),
                                         cycle.root, cycle.period,
-                                        cycle.stability && cycle.stability->is_unstable()};
+                                        cycle.stability ? cycle.stability->decided() : std::nullopt};
           if (add_cycle(search, sought, k + 1, cycles))
           {
             found.push_back(reached);

@@ -23,8 +23,9 @@ namespace vibrocontact
     DynamicState state;
     StabilityRoot root;
     double period = 0;
-    /// small disturbances grow out of it: no motion ends there
-    bool is_unstable = false;
+    /// false: small disturbances grow out of it, so that no motion ends there; nothing: not known, of a neutral one or without
+    /// multipliers
+    std::optional<bool> is_stable;
   };
 
   /// A motion that starts between two cycles.
@@ -68,7 +69,7 @@ namespace vibrocontact
 
     BasinPath follow(const std::array<unsigned int, 2> &between, double share);
 
-    bool is_unstable(const unsigned int cycle) const { return cycles[cycle].is_unstable; }
+    std::optional<bool> is_stable(const unsigned int cycle) const { return cycles[cycle].is_stable; }
     /// of each cycle, of the shape of its root [m/s]
     std::vector<double> velocities;
 

@@ -17,6 +17,8 @@ namespace vibrocontact
     StabilityRoot root;
     /// which motion that was; empty: it began from the root
     std::string motion;
+    /// what the last start of Newton's method was made by
+    std::string started_by;
     bool converged = false;
     /// why not
     std::string message;

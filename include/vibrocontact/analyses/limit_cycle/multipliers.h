@@ -3,6 +3,7 @@
 #include <vibrocontact/base/dense.h>
 
 #include <complex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,11 @@ namespace vibrocontact
     bool is_stable() const { return verdict() == "stable"; }
     /// neither stable nor neutral
     bool is_unstable() const;
+    /// Whether small disturbances die out; nothing: neutral.
+    std::optional<bool> decided() const
+    {
+      return is_stable() || is_unstable() ? std::optional<bool>(is_stable()) : std::nullopt;
+    }
   };
 
   /// The direction of the motion is taken out of the matrix, so that the other multipliers are left: the eigenvector of the trivial one,
