@@ -303,6 +303,7 @@ namespace vibrocontact
     file("events/height_scale", height_scale);
     file("events/rate_scale", rate_scale);
     file("events/smooth_length", smooth_length);
+    file("events/stuck", stuck);
     file("events/closed", closed);
     file("events/is_closed", is_closed);
     file("events/just_open", just_open);

@@ -427,6 +427,6 @@ namespace vibrocontact
 
   MarchCheckpoint road_checkpoint(const std::string &folder)
   {
-    return {folder + "/modal_convolution.h5", "Modal convolution", 8};
+    return {folder + "/modal_convolution.h5", "Modal convolution", 9};
   }
 } // namespace vibrocontact
