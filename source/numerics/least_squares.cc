@@ -100,8 +100,9 @@ namespace vibrocontact
                 {
                   dgglse_(&n, &n, &n_equations, &triangle(0, 0), &n, &left(0, 0), &n_equations, right.data(),
                           target.data(), solution.data(), work, &n_work, &info);
-                  is_undetermined = info > 0;
-                  info = std::min(info, 0);
+                  // 1: the side conditions depend on each other
+                  is_undetermined = info == 2;
+                  info = is_undetermined ? 0 : info;
                 });
       if (is_undetermined)
         throw ConvergenceError(

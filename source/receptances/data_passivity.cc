@@ -212,13 +212,15 @@ namespace vibrocontact
 
   bool DataJudgement::is_late(const double highest_frequency) const
   {
-    // what a delay turns the highest line by, and of that what it leaves of a fit without it at least
-    constexpr double least_turn = 0.06, least_error = 0.02;
+    /// phase at the highest line [rad]
+    constexpr double least_phase = 0.06;
+    /// error that a delay leaves of a fit without it, over that phase: exact fits differ by rounding
+    constexpr double least_error = 0.02;
     if (!delay)
       return false;
-    const double turn = std::abs(delay->delay) * 2 * M_PI * highest_frequency;
-    return delay->error < 0.05 && delay->error_without > 1.5 * delay->error && turn > least_turn &&
-           delay->error_without > least_error * std::min(turn, 1.);
+    const double phase = std::abs(delay->delay) * 2 * M_PI * highest_frequency;
+    return delay->error < 0.05 && delay->error_without > 1.5 * delay->error && phase > least_phase &&
+           delay->error_without > least_error * std::min(phase, 1.);
   }
 
   DataJudgement judge_data(const FrequencyData &data, const bool rolling, const double removed)

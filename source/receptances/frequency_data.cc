@@ -167,8 +167,8 @@ namespace vibrocontact
     for (const FrequencyData::Entry &entry : data.entries)
       if (entry.derivative >= 2)
         throw InputError("The data \"" + data.file_name +
-                         "\" give the acceleration after a blow at t = 0, but not the blow itself, which is "
-                         "an acceleration too, of 1 / mass at one instant: give velocities, displacements or "
+                         "\" give the acceleration after a blow at t = 0, but not the blow itself, where "
+                         "the velocity jumps by 1 / mass per N s: give velocities, displacements or "
                          "frequency responses.");
     check_decay(data, step);
     const int n = data.entries.front().values.size();

@@ -15,7 +15,7 @@ namespace vibrocontact
         {"second", {{0, 0, 1}}}, {"secs", {{0, 0, 1}}},     {"sec", {{0, 0, 1}}},
         {"s", {{0, 0, 1}}},      {"newtons", {{1, 1, -2}}}, {"newton", {{1, 1, -2}}},
         {"n", {{1, 1, -2}}},     {"hertz", {{0, 0, -1}}},   {"hz", {{0, 0, -1}}},
-        {"kg", {{1, 0, 0}}},     {"1", {{0, 0, 0}}}};
+        {"kg", {{1, 0, 0}}}};
 
     /// Small letters; superscripts become powers, dots on the line asterisks.
     std::string in_letters(const std::string &label)
@@ -79,7 +79,7 @@ namespace vibrocontact
         return sum;
       }
 
-      /// units without anything between them, the last one with a power, or brackets
+      /// 1, brackets, or units without anything between them, the last one with a power
       std::optional<SiPowers> factor()
       {
         if (take('('))
@@ -87,18 +87,37 @@ namespace vibrocontact
           const std::optional<SiPowers> inside = product();
           if (!inside || !take(')'))
             return {};
-          return times(*inside, power());
+          return raised(*inside);
+        }
+        if (at < text.size() && text[at] == '1')
+        {
+          ++at;
+          return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at]))
+                     ? std::nullopt
+                     : std::optional<SiPowers>(SiPowers{});
         }
         SiPowers sum{};
-        bool any = false;
-        for (std::optional<SiPowers> one; (one = name());)
+        bool any = false, after_metre = false;
+        while (at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])))
         {
+          const std::optional<SiPowers> unit = name(), one = unit ? raised(*unit) : std::nullopt;
+          // "ms" may be a thousandth of a second, "ms^-2" is none
+          if (!one || (after_metre && !is_negative(*unit, *one)))
+            return {};
+          after_metre = *one == SiPowers{{0, 1, 0}};
           any = true;
-          const SiPowers raised = times(*one, power());
           for (unsigned int k = 0; k < 3; ++k)
-            sum[k] += raised[k];
+            sum[k] += (*one)[k];
         }
         return any ? std::optional<SiPowers>(sum) : std::nullopt;
+      }
+
+      static bool is_negative(const SiPowers &unit, const SiPowers &raised)
+      {
+        for (unsigned int k = 0; k < 3; ++k)
+          if (unit[k] != 0)
+            return raised[k] / unit[k] < 0;
+        return false;
       }
 
       std::optional<SiPowers> name()
@@ -112,23 +131,23 @@ namespace vibrocontact
         return {};
       }
 
-      int power()
+      /// Powers times the one digit that follows, if any does; nothing: what follows is no power.
+      std::optional<SiPowers> raised(const SiPowers &powers)
       {
-        const std::size_t begin = at;
-        const bool raised = at < text.size() && text[at] == '^' && ++at > 0,
-                   in_brackets = raised && at < text.size() && text[at] == '(' && ++at > 0;
-        int sign = 1;
-        if (at < text.size() && (text[at] == '-' || text[at] == '+'))
-          sign = text[at++] == '-' ? -1 : 1;
-        if (at == text.size() || !std::isdigit(static_cast<unsigned char>(text[at])))
-        {
-          at = begin;
-          return 1;
-        }
-        const int result = sign * (text[at++] - '0');
-        if (in_brackets && at < text.size() && text[at] == ')')
-          ++at;
-        return result;
+        const auto is_digit = [&]
+        { return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])); };
+        const auto is_next = [&](const char c) { return at < text.size() && text[at] == c; };
+        const auto take_next = [&](const char c) { return is_next(c) && ++at > 0; };
+        const bool has_sign_of_power = take_next('^'), in_brackets = has_sign_of_power && take_next('(');
+        const bool negative = take_next('-');
+        if (!negative)
+          take_next('+');
+        if (!is_digit())
+          return has_sign_of_power || negative ? std::nullopt : std::optional<SiPowers>(powers);
+        const int power = (negative ? -1 : 1) * (text[at++] - '0');
+        if (is_digit() || (in_brackets && !take_next(')')))
+          return {};
+        return times(powers, power);
       }
 
       static SiPowers times(SiPowers powers, const int factor)

@@ -275,11 +275,14 @@ namespace vibrocontact
           per_newton[k] -= units.at(excitation_force)[k];
           per_impulse[k] = per_newton[k] - (k == 2 ? 1 : 0);
         }
-        if (found == due->second || (per_force && (found == per_newton || found == per_impulse)))
+        if (found == due->second || (per_force && (found == per_newton || (function.along.type == time_axis &&
+                                                                           found == per_impulse))))
           return;
         const std::string where = "ends a function of line " + std::to_string(function.line) + " whose " +
                                   name + " has the unit label '" + axis.unit + "'";
-        if (axis.type == 0 && found)
+        const bool is_of_another =
+            std::any_of(units.begin(), units.end(), [&](const auto &one) { return found == one.second; });
+        if (axis.type == 0 && is_of_another)
           cursor.fail(where + ", but not the type of its quantity: give it (displacement 8, velocity 11, "
                               "acceleration 12, force 13).");
         cursor.fail(

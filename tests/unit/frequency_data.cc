@@ -291,7 +291,11 @@ TEST(FrequencyData, WrongDataAreRefused)
   expect_words(labelled("m/s^2", "m"), {"'m'"});
   expect_words(labelled("N", "lbf"), {"denominator", "'lbf'"});
   expect_words(labelled("Hz", "kHz"), {"abscissa", "'kHz'"});
-  expect_words(labelled("m/s^2", "m/Ns"), {"'m/Ns'"});
+  for (const std::string other :
+       {"m/Ns", "mm/ms^2", "mm/ms2", "10 m/s^2", "m/s^21", "m/s^(2", "m/N s^2", "Nm", "mN/kg"})
+    expect_words(labelled("m/s^2", other), {"'" + other + "'"});
+  for (const std::string other : {"10 N", "mN", "kN", "Nm"})
+    expect_words(labelled("N", other), {"'" + other + "'"});
   expect_words(labelled("Hz", "ms"), {"'ms'"});
   for (const std::string same : {"NONE", "null", "", "M/S2", "m/s\u00b2", "(m/sec**2)/N", "m/s/s", "m s^-2",
                                  "m.s-2", "ms^-2", "m\u00b7s-2", "m/(s^2 N)", "m/(N s^2)", "1/kg",
@@ -304,6 +308,14 @@ TEST(FrequencyData, WrongDataAreRefused)
   std::string unsaid = foreign;
   unsaid.replace(unsaid.find("        12    1    0    0 Acc"), 10, "         0");
   expect_words(refused("d.unv", unsaid), {"'m/s^2'", "acceleration 12"});
+  // a mobility is no receptance, nor a length per length
+  for (const std::string other : {"m/(N s)", "mm/m", "mm/Nm"})
+  {
+    std::string mobility = unsaid;
+    const std::size_t place = mobility.find("m/s^2  ");
+    mobility.replace(place, 20, (other + std::string(20, ' ')).substr(0, 20));
+    expect_words(refused("d.unv", mobility), {"'" + other + "'"});
+  }
   std::string hole = foreign;
   hole.replace(hole.find(" -1.00000E+00"), 13, "          NaN");
   expect_words(refused("d.unv", hole), {"line 20", "NaN"});
