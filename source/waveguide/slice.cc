@@ -207,9 +207,10 @@ namespace vibrocontact
       bool any_across = false;
       for (unsigned int c = 0; c < m; ++c)
         for (unsigned int r = 0; r < m; ++r)
+          // what is no number has not decayed
           any_across = any_across ||
-                       std::norm(slice.stiffness(r, m + c)) >
-                           1e-28 * std::abs(slice.stiffness(r, r)) * std::abs(slice.stiffness(m + c, m + c));
+                       !(std::norm(slice.stiffness(r, m + c)) <=
+                         1e-28 * std::abs(slice.stiffness(r, r)) * std::abs(slice.stiffness(m + c, m + c)));
       if (!any_across)
         return {block(slice.stiffness, 0, 0, m, m), block(slice.stiffness, m, m, m, m)};
       slice = join(slice, slice);

@@ -139,3 +139,22 @@ TEST(TrackInContact, SupportsLaidOneByOneCarryTheContact)
   for (const RailParameters &other : {random, slab, sleepers})
     EXPECT_GT(off(other)[0], 0.01);
 }
+
+TEST(TrackInContact, KnownShapesAreTakenForTheSameDofsAlone)
+{
+  RailParameters rail;
+  rail.section.element_degree = 1;
+  const TrackInContact::Settings settings;
+  const ContactGrid grid = grid_of(3, 3, 5e-3);
+  const TrackInContact found(rail_body(), rail, grid, settings);
+  SectionShapes known = found.shapes();
+  EXPECT_FALSE(known.dofs.empty());
+  const TrackInContact taken(rail_body(), rail, grid, settings, &known);
+  // shapes of other dofs would be those of another rail
+  known.dofs = "others";
+  known.shapes *= 2.;
+  known.shapes(0, 0) += 1;
+  const TrackInContact anew(rail_body(), rail, grid, settings, &known);
+  EXPECT_EQ(distance(taken.at_rest(), found.at_rest()), 0);
+  EXPECT_EQ(distance(anew.at_rest(), found.at_rest()), 0);
+}
