@@ -128,3 +128,22 @@ TEST(Basins, AnUnstableCycleWinsNowhere)
   EXPECT_FALSE(march.follow({{0, 1}}, 0.01).winner);
   EXPECT_EQ(march.follow({{0, 1}}, 0.99).winner, 1u);
 }
+
+TEST(Basins, ACycleThatMayBeUnstableIsMarched)
+{
+  TwoModesOnBelt scene;
+  std::vector<CycleOfBasin> cycles = {scene.cycle_of_mode(0), scene.cycle_of_mode(1)};
+  cycles[0].is_stable.reset();
+  BasinParameters parameters;
+  parameters.n_starts = 1;
+  parameters.time_step = 0.05;
+  parameters.longest_time = 2e3;
+  parameters.border = 1;
+  CycleMap window = scene.map(steps_of_window(window_of(cycles), parameters));
+  BasinMarch march(window, scene.pair, scene.at_rest, cycles, parameters);
+  const BasinsBetween between = basins_between(march, {{0, 1}}, parameters);
+  // at itself, and halfway; the one that is known to be stable needs no march
+  ASSERT_EQ(between.paths.size(), 2u);
+  EXPECT_EQ(between.paths[0].share, 0);
+  EXPECT_EQ(between.paths[1].share, 0.5);
+}

@@ -101,10 +101,15 @@ namespace vibrocontact
 
   nlohmann::ordered_json failed_json(const LimitCycle &cycle)
   {
-    return {{"start", start_of(cycle)},          {"root", root_json(cycle.root)},
-            {"message", cycle.message},          {"started_by", cycle.started_by},
-            {"steps_per_period", cycle.n_steps}, {"newton_iterations", cycle.newton_iterations},
-            {"seconds", cycle.seconds}};
+    nlohmann::ordered_json json = {{"start", start_of(cycle)},
+                                   {"root", root_json(cycle.root)},
+                                   {"message", cycle.message},
+                                   {"steps_per_period", cycle.n_steps},
+                                   {"newton_iterations", cycle.newton_iterations},
+                                   {"seconds", cycle.seconds}};
+    if (!cycle.started_by.empty())
+      json["started_by"] = cycle.started_by;
+    return json;
   }
 
   nlohmann::ordered_json cycle_json(const LimitCycle &cycle, const CyclePeriod &period,

@@ -23,8 +23,7 @@ namespace vibrocontact
     DynamicState state;
     StabilityRoot root;
     double period = 0;
-    /// false: small disturbances grow out of it, so that no motion ends there; nothing: not known, of a neutral one or without
-    /// multipliers
+    /// false: small disturbances grow out of it, so that no motion ends there; nothing: not known, of a neutral one
     std::optional<bool> is_stable;
   };
 
@@ -139,7 +138,7 @@ namespace vibrocontact
   };
 
   /// Starts between two cycles at equal distances, and then halfway between neighbours that lead to different cycles, until they are
-  /// BasinParameters::border apart. A cycle that is not unstable is its own winner.
+  /// BasinParameters::border apart. A cycle that is known to be stable is its own winner, one that is known to be unstable none's.
   BasinsBetween basins_between(BasinMarch &march, const std::array<unsigned int, 2> &between,
                                const BasinParameters &parameters);
 } // namespace vibrocontact
