@@ -1,7 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/local_file.h>
+#include <vibrocontact/base/parameter_text.h>
 
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -21,9 +21,6 @@ namespace vibrocontact
 
   bool has_extension(const std::string &file_name, const std::string &extension)
   {
-    std::string own = std::filesystem::path(file_name).extension().string();
-    for (char &c : own)
-      c = std::tolower(static_cast<unsigned char>(c));
-    return own == extension;
+    return lower_case(std::filesystem::path(file_name).extension().string()) == extension;
   }
 } // namespace vibrocontact

@@ -4,6 +4,7 @@
 #include <vibrocontact/base/utf8.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -15,6 +16,14 @@ namespace vibrocontact
     const char *blanks = " \t\r\n";
     const std::size_t first = text.find_first_not_of(blanks);
     return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  }
+
+  std::string lower_case(const std::string_view text)
+  {
+    std::string result(text);
+    for (char &c : result)
+      c = std::tolower(static_cast<unsigned char>(c));
+    return result;
   }
 
   std::vector<std::string> split_list(const std::string &text)

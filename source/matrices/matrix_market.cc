@@ -1,9 +1,9 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/base/text_lines.h>
 #include <vibrocontact/matrices/matrix_market.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -13,14 +13,6 @@ namespace vibrocontact
   namespace
   {
     const char *const example_of_header = "%%MatrixMarket matrix coordinate real symmetric";
-
-    std::string lower_case(const std::string_view word)
-    {
-      std::string result(word);
-      for (char &c : result)
-        c = std::tolower(static_cast<unsigned char>(c));
-      return result;
-    }
 
     /// The next line with something in it. @return false at the end
     bool next_content(TextLines &lines, std::string_view &rest)

@@ -1,5 +1,7 @@
+#include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/receptances/si_label.h>
 
+#include <algorithm>
 #include <cctype>
 #include <utility>
 #include <vector>
@@ -23,12 +25,11 @@ namespace vibrocontact
       const std::vector<std::pair<std::string, std::string>> signs = {
           {"\u207b", "-"}, {"\u00b9", "1"}, {"\u00b2", "2"}, {"\u00b3", "3"},
           {"\u00b7", "*"}, {"\u22c5", "*"}, {"**", "^"}};
-      std::string text = label;
+      std::string text = lower_case(label);
       for (const auto &[sign, letters] : signs)
         for (std::size_t at; (at = text.find(sign)) != std::string::npos;)
           text.replace(at, sign.size(), letters);
-      for (char &c : text)
-        c = c == '.' ? '*' : std::tolower(static_cast<unsigned char>(c));
+      std::replace(text.begin(), text.end(), '.', '*');
       return text;
     }
 

@@ -6,7 +6,6 @@
 #include <vibrocontact/receptances/uff58.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -258,25 +257,28 @@ namespace vibrocontact
           {time_axis, {{0, 0, 1}}},      {frequency_axis, {{0, 0, -1}}}, {displacement, {{0, 1, 0}}},
           {velocity, {{0, 1, -1}}},      {acceleration, {{0, 1, -2}}},   {excitation_force, {{1, 1, -2}}},
           {reaction_force, {{1, 1, -2}}}};
-      const auto check = [&](const Axis &axis, const std::string &name, const int type, const bool per_force)
+      // beside the numerator some programs write the quotient: per N, or in time per N s
+      std::vector<SiPowers> per_force = {{{0, 0, 0}}, units.at(excitation_force)};
+      if (function.along.type == time_axis)
+        per_force.push_back({{1, 1, -1}});
+      const std::vector<SiPowers> alone = {{{0, 0, 0}}};
+      const auto check = [&](const Axis &axis, const std::string &name, const int type,
+                             const std::vector<SiPowers> &divisors)
       {
         const auto due = units.find(type);
         const std::string none[] = {"", "-", "none", "null"};
-        std::string small = axis.unit;
-        for (char &c : small)
-          c = std::tolower(static_cast<unsigned char>(c));
-        if (due == units.end() || std::find(std::begin(none), std::end(none), small) != std::end(none))
+        if (due == units.end() ||
+            std::find(std::begin(none), std::end(none), lower_case(axis.unit)) != std::end(none))
           return;
         const std::optional<SiPowers> found = si_powers(axis.unit);
-        // some programs write the quotient beside its numerator: per N, or in time per N s
-        SiPowers per_newton = due->second, per_impulse = due->second;
-        for (unsigned int k = 0; k < 3; ++k)
-        {
-          per_newton[k] -= units.at(excitation_force)[k];
-          per_impulse[k] = per_newton[k] - (k == 2 ? 1 : 0);
-        }
-        if (found == due->second || (per_force && (found == per_newton || (function.along.type == time_axis &&
-                                                                           found == per_impulse))))
+        if (std::any_of(divisors.begin(), divisors.end(),
+                        [&](const SiPowers &divisor)
+                        {
+                          SiPowers quotient = due->second;
+                          for (unsigned int k = 0; k < 3; ++k)
+                            quotient[k] -= divisor[k];
+                          return found == quotient;
+                        }))
           return;
         const std::string where = "ends a function of line " + std::to_string(function.line) + " whose " +
                                   name + " has the unit label '" + axis.unit + "'";
@@ -290,12 +292,12 @@ namespace vibrocontact
             ", which is not that of its quantity in m, s, N, kg and Hz: convert the data to SI, or write "
             "NONE if they are.");
       };
-      check(function.along, "abscissa", function.along.type, false);
+      check(function.along, "abscissa", function.along.type, alone);
       // what the file does not say the quantity of is taken for displacement per force
       check(function.numerator, "numerator",
-            function.numerator.type != 0 ? function.numerator.type : displacement, true);
+            function.numerator.type != 0 ? function.numerator.type : displacement, per_force);
       check(function.denominator, "denominator",
-            function.denominator.type != 0 ? function.denominator.type : excitation_force, false);
+            function.denominator.type != 0 ? function.denominator.type : excitation_force, alone);
     }
 
     std::string direction_suffix(const Cursor &cursor, const int direction)

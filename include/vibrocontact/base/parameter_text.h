@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vibrocontact
@@ -51,6 +52,8 @@ namespace vibrocontact
   std::string joined_path(const std::string &section, const std::string &name);
   /// Text without blanks at its ends.
   std::string trimmed(const std::string &text);
+  /// ASCII letters become small ones.
+  std::string lower_case(std::string_view text);
   /// "a, b" -> {a, b}, without empty members.
   std::vector<std::string> split_list(const std::string &text);
   /// A word that is a finite number as a whole; nothing: it is none.
