@@ -229,7 +229,7 @@ namespace vibrocontact
       else if (beyond == TrackEnds::rail && omega != 0.)
         // at rest a rail alone carries nothing
         ends = infinite_ends(
-            uniform_slice(SectionAtFrequency(far.matrices, omega), spacing, element_length, degree, 0));
+            uniform_slice(SectionAtFrequency(far.matrices, omega), spacing, element_length, degree));
       for (unsigned int k = 0; k < n; ++k)
         motion.own_spans.push_back(k > 0 && made[k] == made[k - 1] ? motion.own_spans.back()
                                                                    : on_seat(of_own[made[k]], motion.seat));
@@ -300,9 +300,9 @@ namespace vibrocontact
       const bool is_near = std::any_of(loads.begin(), loads.end(),
                                        [&](const AxialLoad &load)
                                        {
-                                         const double reach = load.length / 2 + near_of_loads();
-                                         return load.centre + reach > span.begin + place_slack &&
-                                                load.centre - reach < span.end + place_slack;
+                                         const double half = load.length / 2 + near_of_loads();
+                                         return load.centre + half > span.begin + place_slack &&
+                                                load.centre - half < span.end + place_slack;
                                        });
       part.pieces.emplace_back();
       if (is_near)

@@ -229,8 +229,7 @@ namespace vibrocontact
   std::string SectionElements::mark_of_dofs() const
   {
     Checksum sum;
-    for (const Point<2> &place : dof_position)
-      sum.add(std::vector<double>{place[0], place[1]});
+    sum.add(dof_position);
     sum.add(dof_direction);
     return hexadecimal(sum.value());
   }

@@ -37,7 +37,7 @@ namespace vibrocontact
       const SectionAtFrequency section(sleeper_section(beam, 2 * sleeper.mass / beam.length), omega, ballast);
       const double overhang = (beam.length - beam.rail_distance) / 2, one_element = beam.length / 16;
       const auto piece = [&](const double length)
-      { return uniform_slice(section, length, one_element, 4, 4); };
+      { return with_loads(uniform_slice(section, length, one_element, 4), 4); };
       Slice before = piece(overhang), between = piece(beam.rail_distance);
       for (unsigned int k = 0; k < 2; ++k)
       {

@@ -173,13 +173,13 @@ namespace vibrocontact
   }
 
   Slice uniform_slice(const SectionAtFrequency &section, const double length, const double one_element,
-                      const unsigned int degree, const unsigned int n_loads)
+                      const unsigned int degree)
   {
     const unsigned int doublings = std::max(0., std::ceil(std::log2(length / one_element) - 1e-9));
     Slice slice = element_slice(section, 0, length / (1u << doublings), degree, {});
     for (unsigned int k = 0; k < doublings; ++k)
       slice = join(slice, slice);
-    return with_loads(std::move(slice), n_loads);
+    return slice;
   }
 
   Slice with_loads(Slice slice, const unsigned int n_loads)

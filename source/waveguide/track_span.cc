@@ -167,8 +167,8 @@ namespace vibrocontact
             std::find_if(known.begin(), known.end(),
                          [&](const auto &one) { return std::abs(one.first - length) < 1e-9 * length; });
         if (made == known.end())
-          made = known.insert(made,
-                              {length, uniform_slice(section, length, elements.length, elements.degree, 0)});
+          made =
+              known.insert(made, {length, uniform_slice(section, length, elements.length, elements.degree)});
         return made->second;
       }
 

@@ -123,7 +123,7 @@ TEST(Slices, infinite_beam_on_a_continuous_bed)
     ComplexMatrix springs(2, 2);
     springs(0, 0) = bed;
     const SectionAtFrequency section(beam.section(), omega, springs);
-    const Slice piece = uniform_slice(section, 0.7, 0.05, 5, 2);
+    const Slice piece = with_loads(uniform_slice(section, 0.7, 0.05, 5), 2);
     const InfiniteEnds ends = infinite_ends(piece);
     Slice left = piece;
     add_section_load(left, 0, force_at(0).constant);
@@ -180,13 +180,13 @@ TEST(Slices, infinite_beam_on_pads_sleepers_and_ballast)
         slice.stiffness(2, 2) += stiffness / 2.;
         return slice;
       };
-      const InfiniteEnds ends = infinite_ends(held(uniform_slice(section, d, 0.05, 5, 0)));
-      Slice span = uniform_slice(section, d, 0.05, 5, 1);
+      const InfiniteEnds ends = infinite_ends(held(uniform_slice(section, d, 0.05, 5)));
+      Slice span = with_loads(uniform_slice(section, d, 0.05, 5), 1);
       if (x0 > 0)
       {
-        span = uniform_slice(section, x0, 0.05, 5, 1);
+        span = with_loads(uniform_slice(section, x0, 0.05, 5), 1);
         add_section_load(span, 0, force_at(x0).constant);
-        span = join(span, uniform_slice(section, d - x0, 0.05, 5, 1));
+        span = join(span, with_loads(uniform_slice(section, d - x0, 0.05, 5), 1));
       }
       else
         add_section_load(span, 0, force_at(d).constant);
@@ -217,7 +217,7 @@ TEST(Slices, a_track_without_loss_is_refused)
   for (auto &matrix : section.loss_stiffness)
     matrix = 0.;
   // the second wave of the unsupported beam propagates as well, the first at every frequency
-  EXPECT_THROW(infinite_ends(uniform_slice({section, 2 * PI * 500}, 0.6, 0.05, 4, 0)), ConvergenceError);
+  EXPECT_THROW(infinite_ends(uniform_slice({section, 2 * PI * 500}, 0.6, 0.05, 4)), ConvergenceError);
 }
 
 // Loads over a length: an element with a distributed load against the closed form of a point load, integrated.
@@ -235,7 +235,7 @@ TEST(Slices, loads_over_a_length)
   loads[0].constant(0) = 1 / length;
   loads[1].constant(0) = 0;
   loads[1].linear(0) = 12 / std::pow(length, 3); // a moment: the mean slope of w
-  const Slice outside = uniform_slice(section, 0.6, 0.05, 5, 2);
+  const Slice outside = with_loads(uniform_slice(section, 0.6, 0.05, 5), 2);
   Slice piece = outside;
   for (unsigned int k = 0; k < 4; ++k)
     piece = join(piece, element_slice(section, -length / 2 + k * length / 4, length / 4, 4, loads));

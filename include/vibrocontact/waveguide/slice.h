@@ -62,7 +62,7 @@ namespace vibrocontact
 
   /// A uniform piece of any length without loads, from equal elements not longer than one_element by doubling.
   Slice uniform_slice(const SectionAtFrequency &section, double length, double one_element,
-                      unsigned int degree, unsigned int n_loads);
+                      unsigned int degree);
 
   /// A piece without loads among so many that do nothing in it.
   Slice with_loads(Slice slice, unsigned int n_loads);
