@@ -75,16 +75,23 @@ namespace
       (winner_by_averaging((low + high) / 2) == 0 ? low : high) = (low + high) / 2;
     return low;
   }
+
+  /// One start between two cycles.
+  BasinParameters from_halfway(const double longest_time)
+  {
+    BasinParameters parameters;
+    parameters.n_starts = 1;
+    parameters.time_step = 0.05;
+    parameters.longest_time = longest_time;
+    return parameters;
+  }
 } // namespace
 
 TEST(Basins, OfTwoModesMeetWhereTheEquationsOfTheirAmplitudesSay)
 {
   TwoModesOnBelt scene;
   const std::vector<CycleOfBasin> cycles = {scene.cycle_of_mode(0), scene.cycle_of_mode(1)};
-  BasinParameters parameters;
-  parameters.n_starts = 1;
-  parameters.time_step = 0.05;
-  parameters.longest_time = 1e4;
+  BasinParameters parameters = from_halfway(1e4);
   parameters.border = 0.02;
   CycleMap window = scene.map(steps_of_window(window_of(cycles), parameters));
   BasinMarch march(window, scene.pair, scene.at_rest, cycles, parameters);
@@ -118,11 +125,8 @@ TEST(Basins, AnUnstableCycleWinsNowhere)
   TwoModesOnBelt scene;
   std::vector<CycleOfBasin> cycles = {scene.cycle_of_mode(0), scene.cycle_of_mode(1)};
   cycles[0].is_stable = false;
-  BasinParameters parameters;
-  parameters.n_starts = 1;
-  parameters.time_step = 0.05;
   // long enough for the second one alone
-  parameters.longest_time = 2e3;
+  const BasinParameters parameters = from_halfway(2e3);
   CycleMap window = scene.map(steps_of_window(window_of(cycles), parameters));
   BasinMarch march(window, scene.pair, scene.at_rest, cycles, parameters);
   EXPECT_FALSE(march.follow({{0, 1}}, 0.01).winner);
@@ -134,10 +138,7 @@ TEST(Basins, ACycleThatMayBeUnstableIsMarched)
   TwoModesOnBelt scene;
   std::vector<CycleOfBasin> cycles = {scene.cycle_of_mode(0), scene.cycle_of_mode(1)};
   cycles[0].is_stable.reset();
-  BasinParameters parameters;
-  parameters.n_starts = 1;
-  parameters.time_step = 0.05;
-  parameters.longest_time = 2e3;
+  BasinParameters parameters = from_halfway(2e3);
   parameters.border = 1;
   CycleMap window = scene.map(steps_of_window(window_of(cycles), parameters));
   BasinMarch march(window, scene.pair, scene.at_rest, cycles, parameters);

@@ -112,6 +112,11 @@ namespace vibrocontact
     return json;
   }
 
+  nlohmann::ordered_json stable_json(const std::optional<bool> &is_stable)
+  {
+    return is_stable ? nlohmann::ordered_json(*is_stable) : nlohmann::ordered_json();
+  }
+
   nlohmann::ordered_json cycle_json(const LimitCycle &cycle, const CyclePeriod &period,
                                     const unsigned int n_multipliers)
   {
@@ -124,10 +129,7 @@ namespace vibrocontact
     if (cycle.stability)
     {
       const CycleStability &stability = *cycle.stability;
-      // of a neutral one it is not known
-      json["stable"] = nullptr;
-      if (const std::optional<bool> decided = stability.decided())
-        json["stable"] = *decided;
+      json["stable"] = stable_json(stability.decided());
       json["multipliers"] = nlohmann::ordered_json::array();
       for (std::size_t k = 0; k < std::min<std::size_t>(n_multipliers, stability.multipliers.size()); ++k)
       {

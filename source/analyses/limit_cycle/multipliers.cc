@@ -43,14 +43,16 @@ namespace vibrocontact
     }
   } // namespace
 
-  bool CycleStability::is_unstable() const
+  std::optional<bool> CycleStability::decided() const
   {
-    return !multipliers.empty() && multipliers.front().growth > uncertainty;
+    if (multipliers.empty() || multipliers.front().growth < -uncertainty)
+      return true;
+    return multipliers.front().growth > uncertainty ? std::optional<bool>(false) : std::nullopt;
   }
 
   std::string CycleStability::verdict() const
   {
-    if (multipliers.empty() || multipliers.front().growth < -uncertainty)
+    if (is_stable())
       return "stable";
     if (!is_unstable())
       return "neutral";

@@ -1,4 +1,5 @@
 #include <vibrocontact/analyses/limit_cycle/basins_output.h>
+#include <vibrocontact/analyses/limit_cycle/limit_cycle_output.h>
 #include <vibrocontact/analyses/limit_cycle/run_basins.h>
 #include <vibrocontact/base/collective.h>
 #include <vibrocontact/base/exceptions.h>
@@ -85,12 +86,10 @@ namespace vibrocontact
     {
       BasinMarch march(*window, *scene.pair, scene.at_rest, cycles, own);
       for (unsigned int k = 0; k < cycles.size(); ++k)
-        basins["cycles"].push_back(
-            {{"number", cycles[k].number},
-             {"frequency_Hz", 1 / cycles[k].period},
-             {"velocity_m_s", march.velocities[k]},
-             {"stable", cycles[k].is_stable ? nlohmann::ordered_json(*cycles[k].is_stable)
-                                            : nlohmann::ordered_json()}});
+        basins["cycles"].push_back({{"number", cycles[k].number},
+                                    {"frequency_Hz", 1 / cycles[k].period},
+                                    {"velocity_m_s", march.velocities[k]},
+                                    {"stable", stable_json(cycles[k].is_stable)}});
       for (const char *const list : {"starts", "borders"})
         basins[list] = nlohmann::ordered_json::array();
       std::vector<std::array<unsigned int, 2>> pairs;

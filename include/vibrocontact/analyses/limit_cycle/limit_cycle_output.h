@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ namespace vibrocontact
   Table cycle_table(const CyclePeriod &period);
   Table harmonics_table(const CyclePeriod &period, double frequency);
 
+  /// `stable` of a cycle: null of a neutral one.
+  nlohmann::ordered_json stable_json(const std::optional<bool> &is_stable);
   /// The object of a cycle in results.json.
   nlohmann::ordered_json cycle_json(const LimitCycle &cycle, const CyclePeriod &period,
                                     unsigned int n_multipliers);

@@ -28,14 +28,10 @@ namespace vibrocontact
     /// "stable"; "neutral": the largest growth is less than the uncertainty; else what the largest multiplier does: "fold",
     /// "period doubling", "torus"
     std::string verdict() const;
-    bool is_stable() const { return verdict() == "stable"; }
-    /// neither stable nor neutral
-    bool is_unstable() const;
     /// Whether small disturbances die out; nothing: neutral.
-    std::optional<bool> decided() const
-    {
-      return is_stable() || is_unstable() ? std::optional<bool>(is_stable()) : std::nullopt;
-    }
+    std::optional<bool> decided() const;
+    bool is_stable() const { return decided() == true; }
+    bool is_unstable() const { return decided() == false; }
   };
 
   /// The direction of the motion is taken out of the matrix, so that the other multipliers are left: the eigenvector of the trivial one,
