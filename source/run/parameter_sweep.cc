@@ -1,4 +1,5 @@
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/run/parameter_sweep.h>
 
@@ -127,6 +128,13 @@ namespace vibrocontact
                          "write for instance -0.01, 0.03, 0.001.");
       if ((axis.range[1] - axis.range[0]) / axis.range[2] > most_cases)
         throw InputError(range + " makes more than 20,000 cases: take larger steps.");
+      const double n_steps = (axis.range[1] - axis.range[0]) / axis.range[2],
+                   whole = std::floor(n_steps + 1e-6);
+      if (n_steps - whole > 1e-6)
+        throw InputError(range + " has no step that ends at its last value " + number_text(axis.range[1]) +
+                         ", only at " + number_text(axis.range[0] + whole * axis.range[2]) + " and " +
+                         number_text(axis.range[0] + (whole + 1) * axis.range[2]) +
+                         ": write one of them, or another step.");
     };
     check_axis(first, "");
     check_axis(second, "Second ");
