@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_map.h>
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
 #include <vibrocontact/contact/contact_solvers.h>
 #include <vibrocontact/contact/point_rows.h>
 #include <vibrocontact/marching/step_levels.h>
@@ -130,6 +131,8 @@ namespace vibrocontact
       before = state;
       const ContactSolution &solution = stepper->advance(state, drive, *contact_solver);
       ++n_marched_steps;
+      if (progress)
+        progress->advance(0, [this] { return std::to_string(n_marched_steps) + " steps marched"; });
       if (!solution.converged)
         throw ConvergenceError("the contact of step " + std::to_string(j + 1) + " of " + std::to_string(m) +
                                " of the period did not converge");

@@ -69,7 +69,7 @@ namespace vibrocontact
     }
 
     void find_on_enough_points(const CycleSearch &search, const StabilityRoot &root,
-                               const unsigned int n_steps, SoughtCycle &sought)
+                               const unsigned int n_steps, Progress &progress, SoughtCycle &sought)
     {
       const DynamicState &at_rest = search.scene.at_rest;
       for (sought.spread = 0;; ++sought.spread)
@@ -77,6 +77,7 @@ namespace vibrocontact
         const std::vector<unsigned int> points =
             points_around(search.pair().interface.contacts, at_rest.R, spreads_of_contact[sought.spread]);
         sought.map = map_about(search.scene, points, n_steps);
+        sought.map->progress = &progress;
         sought.cycle = find_limit_cycle(*sought.map, search.pair(), at_rest, root, search.own(),
                                         search.from ? &*search.from : nullptr);
         if (sought.cycle.converged || !sought.map->left_its_points ||
@@ -158,7 +159,7 @@ namespace vibrocontact
     return roots;
   }
 
-  SoughtCycle seek_cycle(const CycleSearch &search, const StabilityRoot &root)
+  SoughtCycle seek_cycle(const CycleSearch &search, const StabilityRoot &root, Progress &progress)
   {
     const ContactPair &pair = search.pair();
     const unsigned int n_steps = steps_of_period(root, search.own());
@@ -169,7 +170,7 @@ namespace vibrocontact
     cycle.message = shortage_of_derivatives(search.scene, n_steps);
     sought.lacks_memory = !cycle.message.empty();
     if (!sought.lacks_memory)
-      find_on_enough_points(search, root, n_steps, sought);
+      find_on_enough_points(search, root, n_steps, progress, sought);
     if (search.from)
       cycle.motion = search.own().name_of_start();
     if (cycle.converged)

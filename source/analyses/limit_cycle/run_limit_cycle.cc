@@ -225,7 +225,7 @@ namespace vibrocontact
       Progress progress("limit cycles", std::max<std::size_t>(1, roots.size()));
       for (std::size_t k = 0; k < roots.size(); ++k)
       {
-        SoughtCycle sought = seek_cycle(search, roots[k]);
+        SoughtCycle sought = seek_cycle(search, roots[k], progress);
         const LimitCycle &cycle = sought.cycle;
         const auto same = std::find_if(periods.begin(), periods.end(),
                                        [&](const CyclePeriod &one)

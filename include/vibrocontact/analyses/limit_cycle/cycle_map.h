@@ -11,6 +11,8 @@
 
 namespace vibrocontact
 {
+  class Progress;
+
   /// The contact solver of a map whose cycle is sought: what the steps of a period leave adds up, and has to stay below the tolerance
   /// of a cycle.
   ContactSolverParameters solver_of_cycles(ContactSolverParameters solver);
@@ -75,6 +77,8 @@ namespace vibrocontact
     /// The same motion by harmonics of the contact forces. @param at_rest is referred to, as the map itself
     CycleBalance balance(const DynamicState &at_rest, unsigned int n_harmonics, double tolerance) const;
 
+    /// that of the search, which says how many steps were marched; null: nobody hears of them
+    Progress *progress = nullptr;
     /// whether a contact was found outside of the points
     bool left_its_points = false;
     /// steps that were marched so far, and columns that derivatives were multiplied with

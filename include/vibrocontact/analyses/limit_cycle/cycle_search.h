@@ -12,6 +12,8 @@
 
 namespace vibrocontact
 {
+  class Progress;
+
   /// What the cycles of a run are sought with.
   struct CycleSearch
   {
@@ -51,6 +53,6 @@ namespace vibrocontact
     bool lacks_memory = false;
   };
 
-  /// With more and more points, until the contact stays on them. Collective.
-  SoughtCycle seek_cycle(const CycleSearch &search, const StabilityRoot &root);
+  /// With more and more points, until the contact stays on them. Collective. @param progress hears of the steps marched
+  SoughtCycle seek_cycle(const CycleSearch &search, const StabilityRoot &root, Progress &progress);
 } // namespace vibrocontact
