@@ -1,6 +1,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/receptances/frequency_csv.h>
+#include <vibrocontact/receptances/sampled_response.h>
 
 #include <cstdio>
 

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fftw3.h>
-#include <map>
 
 namespace vibrocontact
 {
@@ -120,73 +118,6 @@ namespace vibrocontact
           "there: leave that frequency out, or set Identification/Lower frequency above 0.");
     for (std::size_t l = 0; l < data.frequency.size(); ++l)
       data.entries[entry].values[l] /= std::pow(Complex(0, 2 * M_PI * data.frequency[l]), power);
-  }
-
-  namespace
-  {
-    double largest(const FrequencyData::Entry &entry)
-    {
-      double value = 0;
-      for (const Complex &one : entry.values)
-        value = std::max(value, std::abs(one));
-      return value;
-    }
-
-    /// What is cut off stands in no line: they would be those of another body.
-    void check_decay(const FrequencyData &data, const double step)
-    {
-      constexpr double most_left = 0.05, least_entry = 1e-3;
-      std::vector<double> sizes;
-      std::map<unsigned int, double> largest_of_derivative;
-      for (const FrequencyData::Entry &entry : data.entries)
-      {
-        sizes.push_back(largest(entry));
-        double &all = largest_of_derivative[entry.derivative];
-        all = std::max(all, sizes.back());
-      }
-      for (unsigned int k = 0; k < data.entries.size(); ++k)
-      {
-        const FrequencyData::Entry &entry = data.entries[k];
-        const std::size_t n = entry.values.size(), n_last = std::max<std::size_t>(1, n / 10);
-        double square = 0;
-        for (std::size_t i = n - n_last; i < n; ++i)
-          square += std::norm(entry.values[i]);
-        const double left = std::sqrt(square / n_last);
-        if (sizes[k] >= least_entry * largest_of_derivative[entry.derivative] && left > most_left * sizes[k])
-          throw InputError("The data \"" + data.file_name + "\" end at " + number_text((n - 1) * step) +
-                           " s, before the impulse response " + entry_name(data, k) +
-                           " has decayed: its last tenth has an rms of " + percent_text(left / sizes[k]) +
-                           " of its largest value. Give a longer one, down to " + percent_text(most_left) +
-                           ".");
-      }
-    }
-  } // namespace
-
-  void transform_to_frequency(FrequencyData &data, const double step)
-  {
-    for (const FrequencyData::Entry &entry : data.entries)
-      if (entry.derivative >= 2)
-        throw InputError("The data \"" + data.file_name +
-                         "\" give the acceleration after a blow at t = 0, but not the blow itself, where "
-                         "the velocity jumps by 1 / mass per N s: give velocities, displacements or "
-                         "frequency responses.");
-    check_decay(data, step);
-    const int n = data.entries.front().values.size();
-    std::vector<double> samples(n);
-    std::vector<Complex> lines(n / 2 + 1);
-    const fftw_plan plan = fftw_plan_dft_r2c_1d(
-        n, samples.data(), reinterpret_cast<fftw_complex *>(lines.data()), FFTW_ESTIMATE);
-    for (FrequencyData::Entry &entry : data.entries)
-    {
-      for (int i = 0; i < n; ++i)
-        samples[i] = step * (i == 0 ? 0.5 : 1.) * entry.values[i].real();
-      fftw_execute(plan);
-      entry.values = lines;
-    }
-    fftw_destroy_plan(plan);
-    data.frequency.clear();
-    for (unsigned int l = 0; l < lines.size(); ++l)
-      data.frequency.push_back(l / (n * step));
   }
 
   std::string entry_name(const FrequencyData &data, const unsigned int entry)

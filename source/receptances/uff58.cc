@@ -2,6 +2,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/parameter_text.h>
 #include <vibrocontact/base/utf8.h>
+#include <vibrocontact/receptances/sampled_response.h>
 #include <vibrocontact/receptances/si_label.h>
 #include <vibrocontact/receptances/uff58.h>
 

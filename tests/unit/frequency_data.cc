@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fftw3.h>
 #include <functional>
 #include <set>
 
@@ -239,6 +240,84 @@ TEST(FrequencyData, ImpulseResponse)
     const Complex s(20, 2 * M_PI * data.frequency[l]);
     EXPECT_LT(std::abs(data.entries[0].values[l] * (s * s + 1e4) - 1.), 1e-4);
   }
+}
+
+namespace
+{
+  // three modes of m = 1 and 2 % damping up to 100 rad/s, sampled until they have decayed
+  constexpr double damped_modes[] = {20, 50, 100}, damping = 0.02;
+
+  Complex receptance_of_modes(const double frequency)
+  {
+    const Complex s(0, 2 * M_PI * frequency);
+    Complex sum = 0;
+    for (const double w : damped_modes)
+      sum += 1. / ((s + damping * w) * (s + damping * w) + w * w);
+    return sum;
+  }
+
+  // of a blow that comes so much after t = 0
+  FrequencyData of_struck_modes(const double step, const unsigned int n, const double late = 0)
+  {
+    std::string text = "time_s,a_z_a_z_m_Ns\n";
+    char line[80];
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const double t = i * step - late;
+      double value = 0;
+      for (const double w : damped_modes)
+        value += t > 0 ? std::exp(-damping * w * t) * std::sin(w * t) / w : 0;
+      std::snprintf(line, sizeof line, "%.17g,%.17g\n", i * step, value);
+      text += line;
+    }
+    return read_frequency_data("g.csv", text, {});
+  }
+} // namespace
+
+TEST(FrequencyData, ImagesOfABlowAreTakenOff)
+{
+  // trapezoids alone are off by 1.5 of the value at the upper lines
+  const FrequencyData data = of_struck_modes(0.6e-2, 8192);
+  EXPECT_EQ(data.n_without_blow, 0u);
+  for (std::size_t l = 0; l < data.frequency.size(); ++l)
+  {
+    const Complex exact = receptance_of_modes(data.frequency[l]);
+    EXPECT_LT(std::abs(data.entries[0].values[l] - exact), 1e-3 * std::abs(exact)) << l;
+  }
+}
+
+// A spectrum that ends at half the sampling rate has no images: what is made of it comes back.
+TEST(FrequencyData, BandLimitedResponsesStay)
+{
+  const unsigned int n = 8192;
+  const double step = 0.6e-2;
+  std::vector<Complex> lines(n / 2 + 1);
+  for (unsigned int l = 0; l < lines.size(); ++l)
+    lines[l] = receptance_of_modes(l / (n * step));
+  lines.back() = lines.back().real();
+  std::vector<double> samples(n);
+  const fftw_plan plan = fftw_plan_dft_c2r_1d(n, reinterpret_cast<fftw_complex *>(lines.data()),
+                                              samples.data(), FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+  fftw_execute(plan);
+  fftw_destroy_plan(plan);
+  std::string text = "time_s,a_z_a_z_m_Ns\n";
+  char line[80];
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    // the first counts half
+    std::snprintf(line, sizeof line, "%.17g,%.17g\n", i * step, samples[i] * (i == 0 ? 2 : 1) / (n * step));
+    text += line;
+  }
+  const FrequencyData data = read_frequency_data("g.csv", text, {});
+  EXPECT_EQ(data.n_without_blow, 1u);
+  for (unsigned int l = 0; l < lines.size(); ++l)
+    EXPECT_LT(std::abs(data.entries[0].values[l] - lines[l]), 1e-9 * std::abs(lines[l]) + 1e-15) << l;
+}
+
+TEST(FrequencyData, BlowsBetweenTwoSamplesAndRareSamplesAreNoBlowsAtZero)
+{
+  EXPECT_EQ(of_struck_modes(0.6e-2, 8192, 0.3e-2).n_without_blow, 1u);
+  EXPECT_EQ(of_struck_modes(1.6e-2, 2048).n_without_blow, 1u);
 }
 
 TEST(FrequencyData, WrongDataAreRefused)

@@ -29,6 +29,8 @@ namespace vibrocontact
     std::vector<Entry> entries;
     /// functions of the file left aside: coherences, spectra and others that are no responses to forces
     unsigned int n_skipped = 0;
+    /// impulse responses that do not begin with a blow at t = 0, as their samples show it (receptances/sampled_response.h)
+    unsigned int n_without_blow = 0;
 
     const Entry *find(unsigned int response, unsigned int reference) const;
     /// index of a label, which is added if it is new
@@ -46,11 +48,6 @@ namespace vibrocontact
   /// @throws InputError naming the time, and the line if there are lines
   double equal_time_step(const std::string &source, const std::vector<double> &time, double rounding,
                          const std::vector<unsigned int> &lines);
-
-  /// Receptance at multiples of 1 / duration of an impulse response sampled at equal steps from t = 0 on, by trapezoids
-  /// (a jump at 0+ counts half) and FFT; up to half the sampling rate.
-  /// @throws InputError if one has not decayed: if the rms of its last tenth is beyond 5 % of its largest value
-  void transform_to_frequency(FrequencyData &data, double step);
 
   /// Receptance from mobility (power 1) or accelerance (power 2): divides by (j omega)^power.
   /// @throws InputError if there is a line at 0 Hz

@@ -51,6 +51,9 @@ namespace vibrocontact
     run_log().value("frequencies", (unsigned int)(data.frequency.size()));
     if (data.n_skipped > 0)
       run_log().value("functions left aside, neither frequency nor impulse responses", data.n_skipped);
+    if (data.n_without_blow > 0)
+      run_log().value("impulse responses taken as band-limited, without a blow at t = 0",
+                      data.n_without_blow);
     const DataJudgement &judgement = measured.judgement;
     run_log().value("lines on which forces gain energy", 100 * judgement.gaining, "%");
     if (!judgement.complaint.empty())
