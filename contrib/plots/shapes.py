@@ -92,10 +92,20 @@ def plot_plane_shape(axis, title, points, quads, values):
     axis.set_title(title, fontsize=8)
 
 
+def has_surface(points):
+    """Whether they are more than one point or points in a line."""
+    apart = points - points.mean(axis=0)
+    return np.linalg.matrix_rank(apart, tol=1e-9 * max(np.linalg.norm(apart), 1e-300)) > 1
+
+
 def plot_shapes(folder, name, panels, columns):
     """Deformed surfaces coloured by their displacement over the largest of the panel: title, then points, quadrilaterals and
     displacement of the body in the middle and, as triples, of those beside it."""
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+    panels = [panel for panel in panels if has_surface(panel[1])]
+    if not panels:
+        return
+    columns = min(columns, len(panels))
     rows = (len(panels) + columns - 1) // columns
     plane = (np.ptp(panels[0][1], axis=0) == 0).any()
     figure = plt.figure(figsize=(4 * columns, (2.6 if plane else 4) * rows))

@@ -265,6 +265,9 @@ namespace vibrocontact
         velocity = low.velocity + std::clamp(share, 0.1, 0.9) * (high.velocity - low.velocity);
       }
     }
+    // growth may jump where points begin to stick: Newton's method begins from the motion that grows
+    if (low.velocity > 0 && high.velocity > 0)
+      return low;
     throw ConvergenceError("no velocity up to " + number_text(std::max(low.velocity, high.velocity)) +
                            " m/s in the contact was found at which the growth of the root ends");
   }

@@ -49,6 +49,19 @@ namespace vibrocontact
       return result;
     }
 
+    /// Whether a point that was open at the end of a step sticks at that of the next one, the last step before the first.
+    bool sticks_at_touch(const std::vector<std::vector<ContactStatus>> &statuses)
+    {
+      for (std::size_t j = 0; j < statuses.size(); ++j)
+      {
+        const std::vector<ContactStatus> &before = statuses[j == 0 ? statuses.size() - 1 : j - 1];
+        for (std::size_t i = 0; i < before.size(); ++i)
+          if (before[i] == ContactStatus::open && statuses[j][i] == ContactStatus::stick)
+            return true;
+      }
+      return false;
+    }
+
     constexpr char led_to_rest[] = "Newton's method led to the equilibrium";
 
     double distance(const DenseVector &state, const DenseVector &other)
@@ -87,9 +100,13 @@ namespace vibrocontact
       if (!(cycle.change_along <= most_change_along))
       {
         cycle.converged = false;
-        cycle.message = "in the motion that repeats itself a disturbance along it changes by " +
-                        number_text(cycle.change_along) +
-                        " of itself in a period: take a shorter Limit cycle/Time step";
+        cycle.message =
+            "in the motion that repeats itself a disturbance along it changes by " +
+            number_text(cycle.change_along) + " of itself in a period: " +
+            (sticks_at_touch(map.statuses())
+                 ? "the slip of a point that touches down and sticks within one step is counted from "
+                   "the beginning of that step, so shorter ones may not help: use a transient"
+                 : "take a shorter Limit cycle/Time step");
         return;
       }
       if (parameters.n_multipliers > 0)

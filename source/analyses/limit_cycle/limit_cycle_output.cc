@@ -332,11 +332,14 @@ namespace vibrocontact
                  "main_signal",
                  "estimated_error_frequency",
                  "estimated_error_amplitude",
-                 "estimated_error_first_harmonic"},
+                 "estimated_error_first_harmonic",
+                 "number",
+                 "same_as"},
                 {"Limit cycles by the unstable roots they begin from, or the nearest one to the transient "
                  "that they begin from, then roots from which none was found",
                  "amplitude: axial velocity of the wheel's rim or of the first probe; largest growth: of a "
                  "small disturbance, by the Floquet multipliers; estimated errors: of the steps, relative; "
+                 "number: in the names of its files, which a cycle has not that is the same as another; "
                  "empty: not known"});
     for (const nlohmann::ordered_json *const list : {&cycles, &not_found})
       for (const nlohmann::ordered_json &one : *list)
@@ -369,7 +372,9 @@ namespace vibrocontact
                        one.value("main_signal", std::string()),
                        number("/estimated_error_frequency"),
                        number("/estimated_error_amplitude"),
-                       number("/estimated_error_first_harmonic")});
+                       number("/estimated_error_first_harmonic"),
+                       number("/number"),
+                       number("/same_as")});
       }
     return table;
   }

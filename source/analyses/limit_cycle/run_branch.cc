@@ -5,6 +5,7 @@
 #include <vibrocontact/base/log.h>
 #include <vibrocontact/base/number_text.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -18,6 +19,8 @@ namespace vibrocontact
     /// of the growth at the value of the file: what a root grows by at its onset is no more
     constexpr double growth_at_onset = 0.05;
     constexpr unsigned int most_secants = 20;
+    /// difference of the frequencies of two roots that flutter together, over the frequency
+    constexpr double one_frequency = 1e-4;
 
     /// The scene with the entry at a value. @param points that may touch
     std::shared_ptr<CycleAt> cycle_at(const CycleSearch &search, const std::vector<unsigned int> &points,
@@ -44,18 +47,27 @@ namespace vibrocontact
       return at;
     }
 
-    /// Growth of the root that goes on from a free mode, the nearest to a frequency if there are several.
+    /// Growth of the root that goes on from a free mode, the nearest to a frequency if there are several; of two that flutter
+    /// together, at one frequency, that of the one that grows.
     double growth_of(const CycleScene &scene, const std::string &label, const double frequency)
     {
-      const StabilityRoot *nearest = nullptr;
-      const std::vector<StabilityRoot> roots = roots_of(scene);
-      for (const StabilityRoot &root : roots)
-        if (root.label == label &&
-            (!nearest || std::abs(root.frequency - frequency) < std::abs(nearest->frequency - frequency)))
-          nearest = &root;
-      if (!nearest)
+      std::vector<StabilityRoot> roots = roots_of(scene);
+      roots.erase(std::remove_if(roots.begin(), roots.end(),
+                                 [&](const StabilityRoot &root) { return root.label != label; }),
+                  roots.end());
+      if (roots.empty())
         throw ConvergenceError("no root belongs to " + label);
-      return nearest->growth;
+      const auto distance = [](const StabilityRoot &root, const double from)
+      { return std::abs(root.frequency - from); };
+      const StabilityRoot nearest =
+          *std::min_element(roots.begin(), roots.end(),
+                            [&](const StabilityRoot &a, const StabilityRoot &b)
+                            { return distance(a, frequency) < distance(b, frequency); });
+      double growth = nearest.growth;
+      for (const StabilityRoot &root : roots)
+        if (distance(root, nearest.frequency) < one_frequency * frequency)
+          growth = std::max(growth, root.growth);
+      return growth;
     }
 
     /// How the root grows at an onset, and, if it is close, where its growth is zero, by the secant method.

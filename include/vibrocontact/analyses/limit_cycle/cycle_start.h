@@ -48,7 +48,7 @@ namespace vibrocontact
     /// of the shape [m/s], growth there [1/s] and time that the motion takes to come round [s]
     double velocity = 0, growth = 0, period = 0;
   };
-  /// @throws ConvergenceError if no velocity is found at which growth ends, or a step does not converge
+  /// @throws ConvergenceError if motions of all velocities tried grow, or all decay, or a step does not converge
   CycleStart start_of_cycle(CycleMap &map, const RootMotion &motion, const StabilityRoot &root);
 
   /// The same by few harmonics (CycleBalance), which are tried from motions of several velocities that have gone on for a few periods: much
