@@ -13,6 +13,13 @@ namespace vibrocontact
   namespace
   {
     constexpr unsigned int most_cases = 20000;
+    /// that rounding may leave between the last step and the end of a range
+    constexpr double part_of_step = 1e-6;
+
+    long whole_steps(const std::vector<double> &range)
+    {
+      return std::lround(std::floor((range[1] - range[0]) / range[2] + part_of_step));
+    }
 
     /// @param name of the entry with the list
     void check_list(const ParameterSweep::Axis &axis, const std::string &name)
@@ -39,7 +46,7 @@ namespace vibrocontact
     if (range.size() != 3)
       return split_list(list);
     std::vector<std::string> result;
-    const long n = std::lround(std::floor((range[1] - range[0]) / range[2] + 1e-6));
+    const long n = whole_steps(range);
     for (long k = 0; k <= n; ++k)
     {
       // a zero of the range is exactly zero
@@ -128,9 +135,8 @@ namespace vibrocontact
                          "write for instance -0.01, 0.03, 0.001.");
       if ((axis.range[1] - axis.range[0]) / axis.range[2] > most_cases)
         throw InputError(range + " makes more than 20,000 cases: take larger steps.");
-      const double n_steps = (axis.range[1] - axis.range[0]) / axis.range[2],
-                   whole = std::floor(n_steps + 1e-6);
-      if (n_steps - whole > 1e-6)
+      const long whole = whole_steps(axis.range);
+      if ((axis.range[1] - axis.range[0]) / axis.range[2] - whole > part_of_step)
         throw InputError(range + " has no step that ends at its last value " + number_text(axis.range[1]) +
                          ", only at " + number_text(axis.range[0] + whole * axis.range[2]) + " and " +
                          number_text(axis.range[0] + (whole + 1) * axis.range[2]) +
