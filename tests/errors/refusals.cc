@@ -26,7 +26,7 @@ namespace
 {
   namespace fs = std::filesystem;
 
-  constexpr unsigned int longest_run = 300; // s
+  constexpr unsigned int longest_run = LONGEST_RUN; // s
   constexpr std::size_t longest_message = 700;
 
   std::string text_of(const fs::path &file)
@@ -90,27 +90,32 @@ namespace
     return result;
   }
 
-  /// The program in a folder. @return as waitpid() has it
-  int status_of_run(std::vector<std::string> arguments, const fs::path &folder, const fs::path &screen,
+  /// In a folder, with its output in two files. Whatever is thrown ends this process.
+  [[noreturn]] void become_program(std::vector<std::string> arguments, const fs::path &folder,
+                                   const fs::path &screen, const fs::path &message) noexcept
+  {
+    alarm(longest_run);
+    fs::current_path(folder);
+    for (const auto &[file, descriptor] : {std::pair(screen, STDOUT_FILENO), {message, STDERR_FILENO}})
+      if (dup2(open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), descriptor) < 0)
+        std::abort();
+    arguments.insert(arguments.begin(), PROGRAM_FILE);
+    std::vector<char *> pointers;
+    for (std::string &argument : arguments)
+      pointers.push_back(argument.data());
+    pointers.push_back(nullptr);
+    std::exit(vibrocontact::run_program(vibrocontact::standard_tables(), arguments.size(), pointers.data()));
+  }
+
+  /// The program in a copy of this process. @return as waitpid() has it
+  int status_of_run(const std::vector<std::string> &arguments, const fs::path &folder, const fs::path &screen,
                     const fs::path &message)
   {
-    arguments.insert(arguments.begin(), PROGRAM_FILE);
     const pid_t child = fork();
     if (child < 0)
       throw std::runtime_error("no process could be made");
     if (child == 0)
-    {
-      alarm(longest_run);
-      fs::current_path(folder);
-      for (const auto &[file, descriptor] : {std::pair(screen, STDOUT_FILENO), {message, STDERR_FILENO}})
-        dup2(open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), descriptor);
-      std::vector<char *> pointers;
-      for (std::string &argument : arguments)
-        pointers.push_back(argument.data());
-      pointers.push_back(nullptr);
-      std::exit(
-          vibrocontact::run_program(vibrocontact::standard_tables(), arguments.size(), pointers.data()));
-    }
+      become_program(arguments, folder, screen, message);
     int status = 0;
     waitpid(child, &status, 0);
     return status;
