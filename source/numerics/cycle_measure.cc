@@ -43,13 +43,25 @@ namespace vibrocontact
     // what has died away has no logarithm
     constexpr double least_part = 1e-12;
     const double least = least_part * *std::max_element(amplitudes.begin(), amplitudes.end());
-    double above = 0, below = 0;
-    for (unsigned int p = 0; p < result.n_periods; ++p)
+    std::vector<double> logarithms;
+    for (const double amplitude : amplitudes)
     {
-      const double x = p - (result.n_periods - 1) / 2.;
-      above += x * std::log(std::max(amplitudes[p], least));
+      logarithms.push_back(std::log(std::max(amplitude, least)));
+      result.spread = std::max(result.spread, std::abs(amplitude / result.amplitude - 1));
+    }
+    // means of neighbours: a motion that repeats itself every second period does not drift
+    if (logarithms.size() > 2)
+    {
+      for (std::size_t p = 0; p + 1 < logarithms.size(); ++p)
+        logarithms[p] = (logarithms[p] + logarithms[p + 1]) / 2;
+      logarithms.pop_back();
+    }
+    double above = 0, below = 0;
+    for (std::size_t p = 0; p < logarithms.size(); ++p)
+    {
+      const double x = p - (logarithms.size() - 1) / 2.;
+      above += x * logarithms[p];
       below += x * x;
-      result.spread = std::max(result.spread, std::abs(amplitudes[p] / result.amplitude - 1));
     }
     result.drift = below > 0 ? std::expm1(above / below * result.n_periods) : 0;
     return result;

@@ -163,6 +163,10 @@ TEST(Signals, SteadinessOfACycle)
   EXPECT_NEAR(measure_cycle(sum_of({{919, -200, 3, 0}}, 1e-6, 0.05), 919).drift, std::expm1(-4000 / 919.),
               1e-3);
   EXPECT_EQ(measure_cycle(sum_of({{919, 0, 3, 0}}, 1e-6, 1e-3), 919).n_periods, 0u);
+  // every second period is larger: no drift, and a growth beside it is found
+  const CycleMeasure doubled = measure_cycle(sum_of({{919, 0, 3, 0}, {459.5, 0, 0.1, 1}}, 1e-6, 0.05), 919);
+  EXPECT_GT(doubled.spread, 5e-3);
+  EXPECT_LT(std::abs(doubled.drift), 1e-3 * doubled.spread);
 }
 
 TEST(Signals, AmplitudeOfACycleOfFewSteps)

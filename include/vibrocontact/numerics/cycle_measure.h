@@ -18,7 +18,7 @@ namespace vibrocontact
     /// the mean [unit of the signal]
     double amplitude = 0, rms = 0;
     /// change of the amplitude over these periods, over that at their beginning, by a straight line through the logarithms
-    /// of the amplitudes of each [-]: above -1 however fast they decay
+    /// of the amplitudes of each, neighbours averaged [-]: above -1 however fast they decay
     double drift = 0;
     /// largest difference of a period's amplitude from their mean, over the mean [-]: a beat shows here
     double spread = 0;

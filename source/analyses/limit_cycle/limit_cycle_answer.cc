@@ -63,14 +63,14 @@ namespace vibrocontact
       return line;
     }
 
-    /// "stable", or "neutral (-0.55 +- 0.95 1/s)"
+    /// "stable", or "neutral (growth -0.55 1/s, uncertain by 0.95 1/s)"
     std::string stability_answer(const Json &cycle)
     {
       const std::string verdict = word(cycle["stability"], "verdict");
       const Json &multipliers = list(cycle, "multipliers");
       if (verdict != "neutral" || multipliers.empty())
         return verdict;
-      return text("neutral (growth %.2g +- %.2g 1/s: shorter steps tell)",
+      return text("neutral (growth %.2g 1/s, uncertain by %.2g 1/s)",
                   number(multipliers[0], "growth_1_s"), number(cycle["stability"], "growth_uncertainty_1_s"));
     }
 

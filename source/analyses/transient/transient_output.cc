@@ -168,6 +168,8 @@ namespace vibrocontact
     constexpr double unsteady_drift = 1e-2, steady_drift = 1e-3;
     /// spread of the amplitudes from period to period above which it beats
     constexpr double beating_spread = 5e-2;
+    /// above which it is said though the motion repeats itself
+    constexpr double differing_spread = 1e-2;
     /// a force that varies less, over the rms normal force, is not said
     constexpr double least_swing = 1e-4;
     /// of the mean square, above which a line is not what the signal is
@@ -207,7 +209,10 @@ namespace vibrocontact
                 text(", at this rate %+.2g %% a second",
                      100 * std::expm1(std::log1p(drift) / periods * number(cycle, "frequency_Hz")));
       else
-        line += "; steady (" + change + ")";
+        line += "; steady (" + change + ")" +
+                (spread > differing_spread
+                     ? text(", amplitudes of its periods differ by up to %.2g %%", 100 * spread)
+                     : "");
       return line;
     }
 
