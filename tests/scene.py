@@ -26,6 +26,15 @@ def run(name, text, ranks=1, *options, may_doubt=False):
     return json.load(open(os.path.join(name, "results.json")))["analyses"], name
 
 
+def write_matrix(name, matrix):
+    """A list of rows as a file of Matrix Market, general."""
+    with open(name, "w") as file:
+        file.write(f"%%MatrixMarket matrix array real general\n{len(matrix)} {len(matrix[0])}\n")
+        for j in range(len(matrix[0])):
+            for row in matrix:
+                file.write(f"{row[j]!r}\n")
+
+
 def table(folder, name):
     """Rows of a table, by column."""
     with open(os.path.join(folder, name)) as file:

@@ -5,18 +5,9 @@ Two motions of one mass flutter: the branch ends at the friction of the closed f
 grows, not of its partner with the same frequency. Two masses over falling friction: the growth of the higher root jumps where points
 begin to stick, and its cycle is that of a transient.
 """
-from scene import Check, entries, run, section
+from scene import Check, entries, run, section, write_matrix
 
 check = Check()
-
-
-def write(name, matrix):
-    """Matrix Market, general."""
-    with open(name, "w") as file:
-        file.write(f"%%MatrixMarket matrix array real general\n{len(matrix)} {len(matrix[0])}\n")
-        for j in range(len(matrix[0])):
-            for row in matrix:
-                file.write(f"{row[j]!r}\n")
 
 
 def body(name, masses, dampings, ground, links, added=()):
@@ -37,7 +28,7 @@ def body(name, masses, dampings, ground, links, added=()):
         stiffness[row][column] += value
         stiffness[column][row] += value
     for letter, matrix in zip("KMC", (stiffness, mass, damping)):
-        write(f"{name}_{letter}.mtx", matrix)
+        write_matrix(f"{name}_{letter}.mtx", matrix)
     with open(f"{name}_dofs.csv", "w") as file:
         file.write("node,x_m,y_m,z_m,direction\n" + "".join(f"{i + 1},0,0,{0.01 * (len(masses) - 1 - i)},{d}\n"
                                                              for i in range(len(masses)) for d in "xyz"))

@@ -2,7 +2,7 @@
 """two_dampings.py PROGRAM MPIRUN PARAMETER_FILES: where H couples modes, hysteretic stability has the part of C of each mode on
 the diagonal of H, 2 zeta w^2 = c w. A modal body with H and C has the roots of one whose H says so already."""
 import math
-from scene import Check, entries, run, section
+from scene import Check, entries, run, section, write_matrix
 
 check = Check()
 omega, c = [3e4, 5e4, 7e4, 3e5, 4e5, 5e5], [40., 90., 130., 0., 0., 0.]
@@ -11,25 +11,16 @@ H = [[2e7, 5e6, 1e6], [5e6, 4e7, 8e6], [1e6, 8e6, 9e7]]
 H = [[H[i][j] if max(i, j) < 3 else 0. for j in range(6)] for i in range(6)]
 
 
-def write(name, matrix):
-    """Matrix Market, general."""
-    with open(name, "w") as file:
-        file.write(f"%%MatrixMarket matrix array real general\n{len(matrix)} {len(matrix[0])}\n")
-        for j in range(len(matrix[0])):
-            for row in matrix:
-                file.write(f"{row[j]!r}\n")
-
-
 def diagonal(values):
     return [[value if i == j else 0. for j in range(len(values))] for i, value in enumerate(values)]
 
 
-write("K.mtx", diagonal([w * w for w in omega]))
-write("M.mtx", diagonal([1.] * 6))
-write("C.mtx", diagonal(c))
-write("H.mtx", H)
-write("both.mtx", [[H[i][j] + (c[i] * omega[i] if i == j else 0) for j in range(6)] for i in range(6)])
-write("T.mtx", [[1., 0.5, 0.3, 3., 1., -2.], [0.4, 1., -0.2, 1., 3., 0.5], [0.1, 0.2, 1., -1., 0.4, 3.]])
+write_matrix("K.mtx", diagonal([w * w for w in omega]))
+write_matrix("M.mtx", diagonal([1.] * 6))
+write_matrix("C.mtx", diagonal(c))
+write_matrix("H.mtx", H)
+write_matrix("both.mtx", [[H[i][j] + (c[i] * omega[i] if i == j else 0) for j in range(6)] for i in range(6)])
+write_matrix("T.mtx", [[1., 0.5, 0.3, 3., 1., -2.], [0.4, 1., -0.2, 1., 3., 0.5], [0.1, 0.2, 1., -1., 0.4, 3.]])
 with open("dofs.csv", "w") as file:
     file.write("node,x_m,y_m,z_m,direction\n" + "".join(f"1,0,0,0,{d}\n" for d in "zxy"))
 with open("groups.csv", "w") as file:
