@@ -7,22 +7,16 @@ them above the frequencies of the free body.
 import cmath
 import math
 
-from scene import Check, entries, run, section
+from scene import Check, entries, run, section, write_matrix
 
 check = Check()
 SPRING, FRICTION, DAMPING = 4.3e5, 0.5, 20.
 STIFFNESS = ((1e6, 2e4), (2e4, 6e5))
 
 
-def write(name, rows):
-    """Matrix Market, general."""
-    with open(name, "w", encoding="utf-8") as file:
-        file.write("%%MatrixMarket matrix array real general\n2 2\n" + "".join(f"{rows[i][j]!r}\n" for j in range(2) for i in range(2)))
-
-
-write("K.mtx", STIFFNESS)
-write("M.mtx", ((1., 0.), (0., 1.)))
-write("C.mtx", ((DAMPING, 0.), (0., DAMPING)))
+write_matrix("K.mtx", STIFFNESS)
+write_matrix("M.mtx", ((1., 0.), (0., 1.)))
+write_matrix("C.mtx", ((DAMPING, 0.), (0., DAMPING)))
 with open("dofs.csv", "w", encoding="utf-8") as file:
     file.write("node,x_m,y_m,z_m,direction\n1,0,0,0,x\n1,0,0,0,z\n")
 with open("groups.csv", "w", encoding="utf-8") as file:

@@ -93,33 +93,37 @@ namespace vibrocontact
   {
     const auto begin = WallClock::now();
     cycle.message.clear();
+    cycle.not_judged.clear();
+    const auto is_off = [&](const std::string &what, const std::string &advice)
+    {
+      cycle.stability.reset();
+      // what the steps change shows whether it is a motion
+      if (parameters.error_estimate && sticks_at_touch(map.statuses()))
+      {
+        cycle.not_judged = what + ": the slip of a point that touches down and sticks within one step is "
+                                  "counted from the beginning of that step, however short it is";
+        return;
+      }
+      cycle.converged = false;
+      cycle.message = what + ": " + advice;
+    };
     try
     {
       map.march(cycle.state, cycle.period, true);
       cycle.change_along = map.change_along_motion();
       if (!(cycle.change_along <= most_change_along))
       {
-        cycle.converged = false;
-        cycle.message =
-            "in the motion that repeats itself a disturbance along it changes by " +
-            number_text(cycle.change_along) + " of itself in a period: " +
-            (sticks_at_touch(map.statuses())
-                 ? "the slip of a point that touches down and sticks within one step is counted from "
-                   "the beginning of that step, so shorter ones may not help: use a transient"
-                 : "take a shorter Limit cycle/Time step");
+        is_off("in the motion that repeats itself a disturbance along it changes by " +
+                   number_text(cycle.change_along) + " of itself in a period",
+               "take a shorter Limit cycle/Time step");
         return;
       }
       if (parameters.n_multipliers > 0)
         cycle.stability = cycle_stability(map.monodromy(), map.rate_of_lasting(), cycle.period);
       if (cycle.stability && !(cycle.stability->trivial_error <= most_change_along))
-      {
-        cycle.converged = false;
-        cycle.message =
-            "the multiplier of a shift along the motion is off by " +
-            number_text(cycle.stability->trivial_error) +
-            ", so that the others are not known either: take a shorter Limit cycle/Time step, or leave "
-            "the Multipliers out";
-      }
+        is_off("the multiplier of a shift along the motion is off by " +
+                   number_text(cycle.stability->trivial_error) + ", so that the others are not known either",
+               "take a shorter Limit cycle/Time step, or leave the Multipliers out");
     }
     catch (const ConvergenceError &error)
     {

@@ -70,8 +70,8 @@ namespace vibrocontact
       const Json &multipliers = list(cycle, "multipliers");
       if (verdict != "neutral" || multipliers.empty())
         return verdict;
-      return text("neutral (growth %.2g 1/s, uncertain by %.2g 1/s)",
-                  number(multipliers[0], "growth_1_s"), number(cycle["stability"], "growth_uncertainty_1_s"));
+      return text("neutral (growth %.2g 1/s, uncertain by %.2g 1/s)", number(multipliers[0], "growth_1_s"),
+                  number(cycle["stability"], "growth_uncertainty_1_s"));
     }
 
     /// "harmonic balance with 20 harmonics: 917.221 Hz (+1.9e-05), ...": forces have corners, which harmonics overshoot

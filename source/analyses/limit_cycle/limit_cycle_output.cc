@@ -144,6 +144,8 @@ namespace vibrocontact
                            {"growth_uncertainty_1_s", stability.uncertainty},
                            {"seconds", cycle.stability_seconds}};
     }
+    if (!cycle.not_judged.empty())
+      json["not_judged"] = cycle.not_judged;
     if (cycle.residual)
       json["residual"] = *cycle.residual;
     json["seconds"] = cycle.seconds;

@@ -159,6 +159,10 @@ namespace vibrocontact
       sought.map.reset(); // the derivatives of its steps take as much memory as what follows
       const bool stands = !own.error_estimate || judge_steps(search, sought, points, cycles.back());
       cycles.back()["converged"] = stands;
+      if (stands && own.n_multipliers > 0 && !sought.cycle.not_judged.empty())
+        search.refuse("The stability of " + at_frequency(sought.cycle) +
+                      " is not known: " + sought.cycle.not_judged +
+                      ". Set Limit cycle/Multipliers to 0 to do without, or march in time from near it.");
       if (!own.harmonics.empty())
       {
         add_balance(search, sought, by_steps, cycles.back());

@@ -30,8 +30,10 @@ namespace vibrocontact
     std::optional<double> residual;
     /// what a period changes a disturbance along the motion by, over itself; 0 for infinitely short steps
     double change_along = 0;
-    /// nothing: not asked for
+    /// nothing: not asked for, or not judged
     std::optional<CycleStability> stability;
+    /// why the derivative by the state says nothing of what becomes of disturbances; empty: it does
+    std::string not_judged{};
     /// Newton iterations, columns that derivatives were multiplied with, steps that were marched
     unsigned int newton_iterations = 0;
     unsigned long n_products = 0, n_marched_steps = 0;
@@ -52,7 +54,8 @@ namespace vibrocontact
                         const LimitCycleParameters &parameters);
 
   /// Whether what repeats itself is a motion (change_along), and what becomes of disturbances (stability); a cycle that is
-  /// none, or whose stability is not found, has not converged.
+  /// none, or whose stability is not found, has not converged. Where a point touches down and sticks at once no step gives the derivative
+  /// by the moment of the touch: such a cycle stands by the estimate of its steps and is not judged.
   void judge_cycle(CycleMap &map, const LimitCycleParameters &parameters, LimitCycle &cycle);
 
   /// Steps of a period of a root.
