@@ -1,5 +1,6 @@
 // Frequency responses in files: what is written comes back bit by bit, hand-written files are understood, wrong ones refused.
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/numerics/lsce.h>
 #include <vibrocontact/receptances/frequency_csv.h>
 #include <vibrocontact/receptances/frequency_file.h>
 #include <vibrocontact/receptances/uff58.h>
@@ -7,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fftw3.h>
 #include <functional>
 #include <set>
 
@@ -63,6 +63,19 @@ namespace
   std::string refused(const std::string &name, const std::string &bytes, const bool rolling = false)
   {
     return message([&] { read_frequency_data(name, bytes, {rolling}); });
+  }
+
+  // a table of one impulse response, read
+  FrequencyData of_samples(const double step, const std::vector<double> &values)
+  {
+    std::string text = "time_s,a_z_a_z_m_Ns\n";
+    char line[80];
+    for (std::size_t n = 0; n < values.size(); ++n)
+    {
+      std::snprintf(line, sizeof line, "%.17g,%.17g\n", n * step, values[n]);
+      text += line;
+    }
+    return read_frequency_data("g.csv", text, {});
   }
 
   void expect_words(const std::string &text, const std::vector<std::string> &words)
@@ -224,16 +237,14 @@ TEST(FrequencyData, NamesOfPointsDiffer)
 TEST(FrequencyData, ImpulseResponse)
 {
   // m = 1, omega_d = 100, decay 20: G = 1 / ((s + 20)^2 + 100^2)
-  std::string text = "time_s,a_z_a_z_m_Ns\n";
   const double step = 1e-4;
-  char line[80];
+  std::vector<double> values;
   for (unsigned int n = 0; n < 20000; ++n)
   {
     const double t = n * step;
-    std::snprintf(line, sizeof line, "%.17g,%.17g\n", t, std::exp(-20 * t) * std::sin(100 * t) / 100);
-    text += line;
+    values.push_back(std::exp(-20 * t) * std::sin(100 * t) / 100);
   }
-  const FrequencyData data = read_frequency_data("g.csv", text, {});
+  const FrequencyData data = of_samples(step, values);
   EXPECT_NEAR(data.frequency[1], 0.5, 1e-12);
   for (const unsigned int l : {0u, 20u, 60u})
   {
@@ -259,18 +270,12 @@ namespace
   // of a blow that comes so much after t = 0
   FrequencyData of_struck_modes(const double step, const unsigned int n, const double late = 0)
   {
-    std::string text = "time_s,a_z_a_z_m_Ns\n";
-    char line[80];
+    std::vector<double> values(n, 0.);
     for (unsigned int i = 0; i < n; ++i)
-    {
-      const double t = i * step - late;
-      double value = 0;
       for (const double w : damped_modes)
-        value += t > 0 ? std::exp(-damping * w * t) * std::sin(w * t) / w : 0;
-      std::snprintf(line, sizeof line, "%.17g,%.17g\n", i * step, value);
-      text += line;
-    }
-    return read_frequency_data("g.csv", text, {});
+        if (const double t = i * step - late; t > 0)
+          values[i] += std::exp(-damping * w * t) * std::sin(w * t) / w;
+    return of_samples(step, values);
   }
 } // namespace
 
@@ -291,24 +296,18 @@ TEST(FrequencyData, BandLimitedResponsesStay)
 {
   const unsigned int n = 8192;
   const double step = 0.6e-2;
-  std::vector<Complex> lines(n / 2 + 1);
-  for (unsigned int l = 0; l < lines.size(); ++l)
-    lines[l] = receptance_of_modes(l / (n * step));
-  lines.back() = lines.back().real();
-  std::vector<double> samples(n);
-  const fftw_plan plan = fftw_plan_dft_c2r_1d(n, reinterpret_cast<fftw_complex *>(lines.data()),
-                                              samples.data(), FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
-  fftw_execute(plan);
-  fftw_destroy_plan(plan);
-  std::string text = "time_s,a_z_a_z_m_Ns\n";
-  char line[80];
-  for (unsigned int i = 0; i < n; ++i)
+  Spectra band;
+  band.values.emplace_back();
+  for (unsigned int l = 0; l <= n / 2; ++l)
   {
-    // the first counts half
-    std::snprintf(line, sizeof line, "%.17g,%.17g\n", i * step, samples[i] * (i == 0 ? 2 : 1) / (n * step));
-    text += line;
+    band.omega.push_back(2 * M_PI * l / (n * step));
+    band.values[0].push_back(receptance_of_modes(l / (n * step)));
   }
-  const FrequencyData data = read_frequency_data("g.csv", text, {});
+  std::vector<Complex> &lines = band.values[0];
+  lines.back() = lines.back().real();
+  std::vector<double> values = impulse_responses(band).values[0];
+  values[0] *= 2; // counts half
+  const FrequencyData data = of_samples(step, values);
   EXPECT_EQ(data.n_without_blow, 1u);
   for (unsigned int l = 0; l < lines.size(); ++l)
     EXPECT_LT(std::abs(data.entries[0].values[l] - lines[l]), 1e-9 * std::abs(lines[l]) + 1e-15) << l;
