@@ -16,9 +16,14 @@ namespace vibrocontact
     /// that rounding may leave between the last step and the end of a range
     constexpr double part_of_step = 1e-6;
 
+    double steps_of(const std::vector<double> &range)
+    {
+      return (range[1] - range[0]) / range[2];
+    }
+
     long whole_steps(const std::vector<double> &range)
     {
-      return std::lround(std::floor((range[1] - range[0]) / range[2] + part_of_step));
+      return std::lround(std::floor(steps_of(range) + part_of_step));
     }
 
     /// @param name of the entry with the list
@@ -129,14 +134,14 @@ namespace vibrocontact
         check_list(axis, values);
         return;
       }
-      if (axis.range.size() != 3 || axis.range[2] == 0 || (axis.range[1] - axis.range[0]) / axis.range[2] < 0)
+      if (axis.range.size() != 3 || axis.range[2] == 0 || steps_of(axis.range) < 0)
         throw InputError(range +
                          " is not first, last, step with a step from the first towards the last value: "
                          "write for instance -0.01, 0.03, 0.001.");
-      if ((axis.range[1] - axis.range[0]) / axis.range[2] > most_cases)
+      if (steps_of(axis.range) > most_cases)
         throw InputError(range + " makes more than 20,000 cases: take larger steps.");
       const long whole = whole_steps(axis.range);
-      if ((axis.range[1] - axis.range[0]) / axis.range[2] - whole > part_of_step)
+      if (steps_of(axis.range) - whole > part_of_step)
         throw InputError(range + " has no step that ends at its last value " + number_text(axis.range[1]) +
                          ", only at " + number_text(axis.range[0] + whole * axis.range[2]) + " and " +
                          number_text(axis.range[0] + (whole + 1) * axis.range[2]) +

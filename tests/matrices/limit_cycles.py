@@ -3,7 +3,7 @@
 
 Two motions of one mass flutter: the branch ends at the friction of the closed form, and the growth there is that of the root that
 grows, not of its partner with the same frequency. Two masses over falling friction: the growth of the higher root jumps where points
-begin to stick, and its cycle is that of a transient.
+begin to stick, and its cycle is that of a transient. So is that of a tip that leaves the plane and sticks where it touches.
 """
 from scene import Check, entries, run, section, write_matrix
 
@@ -62,7 +62,7 @@ def velocity_of(march):
     return next(one for one in march["transient"]["signals"] if one["name"] == "tip_velocity")["cycle"]
 
 
-# x and z of 1 kg, coupled by a spring, damped alike: onset at -d/dmu (k_zx / k_z) of the tip, by the closed form of its 2 by 2 problem
+# x and z of 1 kg, coupled by a spring, damped alike: onset where a root of its 2 by 2 problem begins to grow
 K_X, K_Z, K_XZ, TIP, C = 2e6, 1e6, 2e5, 1.1e6, 14.14
 flutter = body("flutter", [1., 0.], [C, 0.], (K_X, 5e6, K_Z), [(3.3e6, 3.3e6, TIP)], [(0, 2, K_XZ)])
 cycle = run("flutter", scene("limit cycle", flutter, dict(Friction_coefficient=0.25), 0.1, in_time(0.6),
@@ -82,7 +82,7 @@ check.near("onset by the cycle", end["onset"], low, 1e-5)
 check.near("onset by the root", end["onset_of_root"], low, 1e-7)
 check.near("growth at the onset", end["root_growth_1_s"], 0, 0.01, 1)
 
-# far beyond the onset the tip leaves the plane and sticks where it touches: the cycle is that of a transient, its stability is not known
+# far beyond the onset the tip leaves the plane and sticks where it touches; its stability is not known
 HOPPING = dict(Friction_coefficient=0.5)
 for name, multipliers in (("hopping", 0), ("hopping_judged", 4)):
     cycle = run(name, scene("limit cycle", flutter, HOPPING, 0.1, in_time(0.6), section("Limit cycle", entries(Time_step=4e-6, Multipliers=multipliers))),
