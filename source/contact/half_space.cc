@@ -9,8 +9,6 @@ namespace vibrocontact
 {
   namespace
   {
-    constexpr double pi = dealii::numbers::PI;
-
     /// log(x + r), r^2 = x^2 + y^2, without the cancellation for negative x
     double log_sum(const double x, const double y, const double r)
     {
@@ -71,7 +69,8 @@ namespace vibrocontact
     double sign = 1;
     for (const HalfSpaceMaterial *body : {&body_1, &body_2})
     {
-      const double nu = body->poisson_ratio, compliance = 1 / (2 * pi * body->shear_modulus());
+      const double nu = body->poisson_ratio,
+                   compliance = 1 / (2 * dealii::numbers::PI * body->shear_modulus());
       a += (1 - nu) * compliance;
       b += nu * compliance;
       c += coupling ? sign * 0.5 * (1 - 2 * nu) * compliance : 0.;

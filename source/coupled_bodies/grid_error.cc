@@ -12,11 +12,16 @@ namespace vibrocontact
     return bound > 0 ? std::hypot(Tx, Ty) / bound : 0;
   }
 
+  std::string too_few_coarse_points(const unsigned int contact_points)
+  {
+    constexpr unsigned int fewest = 4;
+    return contact_points < fewest
+               ? "fewer than " + std::to_string(fewest) + " points are in contact on the coarser grid"
+               : "";
+  }
+
   namespace
   {
-    /// Fewer points of the coarse grid than this, in contact, say nothing about an error.
-    constexpr unsigned int fewest_coarse_points = 4;
-
     /// By where the contact's edge lies in its cells, extrapolated forces scatter over alignments of the grid by this much of mu N, rms,
     /// over the number of points in contact: as the square of the spacing over the size (measured, doc/contact.md "Creep and grid").
     constexpr double alignment_scatter = 0.4;
@@ -41,9 +46,9 @@ namespace vibrocontact
                    radius = std::sqrt(own.contact_points * area / dealii::numbers::PI),
                    bound = own.friction * own.normal_force;
       const bool bounded = own.utilisation <= 1 + 1e-9;
-      if (coarse.contact_points < fewest_coarse_points)
-        own.error_not_known = "fewer than " + std::to_string(fewest_coarse_points) +
-                              " points are in contact on the coarser grid";
+      const std::string too_few = too_few_coarse_points(coarse.contact_points);
+      if (!too_few.empty())
+        own.error_not_known = too_few;
       else
       {
         // That friction limits the force leaves this much of a change that the moment alone shows, or neither of the two where

@@ -2,6 +2,7 @@
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/wall_clock.h>
 #include <vibrocontact/contact/contact_solvers.h>
+#include <vibrocontact/coupled_bodies/grid_error.h>
 #include <vibrocontact/coupled_bodies/quasi_static_loading.h>
 #include <vibrocontact/coupled_bodies/sprung_operator.h>
 
@@ -272,9 +273,6 @@ namespace vibrocontact
       std::array<double, 3> largest = {{0, 0, 0}}, difference = {{0, 0, 0}};
       double dissipated = 0, difference_dissipated = 0;
     };
-
-    /// Fewer points of the coarse grid than this, in contact, say nothing about an error.
-    constexpr unsigned int fewest_coarse_points = 4;
   } // namespace
 
   LoadingResult quasi_static_loading(const LoadHistory &history, const ContactSections &sections,
@@ -318,10 +316,9 @@ namespace vibrocontact
           const auto &status = coarse->state().solution.status;
           const unsigned int touching =
               status.size() - std::count(status.begin(), status.end(), ContactStatus::open);
-          if (touching > 0 && touching < fewest_coarse_points)
-            result.error_not_known = "fewer than " + std::to_string(fewest_coarse_points) +
-                                     " points are in contact on the coarser grid in step " +
-                                     std::to_string(k + 1);
+          const std::string too_few = touching > 0 ? too_few_coarse_points(touching) : "";
+          if (!too_few.empty())
+            result.error_not_known = too_few + " in step " + std::to_string(k + 1);
           errors.add(own.state(), coarse->state());
         }
       }

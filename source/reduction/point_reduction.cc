@@ -9,7 +9,7 @@ namespace vibrocontact
 
   namespace
   {
-    constexpr double rounding = 1e-10;
+    constexpr double rounding_of_loads = 1e-10;
   }
 
   BodyInContact reduce_to_points(const SecondOrderSystem &system, Flexibility &flexibility,
@@ -67,12 +67,13 @@ namespace vibrocontact
       }
     for (unsigned int i = 0; i < m; ++i)
     {
-      if (std::abs(result.residual_load[i]) < rounding * farthest)
+      if (std::abs(result.residual_load[i]) < rounding_of_loads * farthest)
         result.residual_load[i] = 0;
       for (unsigned int j = 0; j <= i; ++j)
       {
         const double mean = (result.residual(i, j) + result.residual(j, i)) / 2;
-        result.residual(i, j) = result.residual(j, i) = std::abs(mean) < rounding * largest ? 0. : mean;
+        result.residual(i, j) = result.residual(j, i) =
+            std::abs(mean) < rounding_of_loads * largest ? 0. : mean;
       }
     }
     return result;

@@ -16,12 +16,9 @@ namespace vibrocontact
 
   namespace
   {
-    /// points nearer to each other are one [m]
-    constexpr double same_place = 2e-7;
-
     bool are_one(const Point<2> &p, const Point<2> &q)
     {
-      return p.distance(q) < same_place;
+      return p.distance(q) < section_resolution;
     }
 
     std::string in_mm(const Point<2> &p)
@@ -72,17 +69,17 @@ namespace vibrocontact
       const bool parallel = std::abs(area) < 1e-9 * u.norm() * v.norm();
       if (parallel)
       {
-        if (a.loop != b.loop || std::abs(cross(u, w)) > same_place * u.norm())
+        if (a.loop != b.loop || std::abs(cross(u, w)) > section_resolution * u.norm())
           return false;
         // of one loop: any length in common
         const double first = w * u / u.norm(), second = first + v * u / u.norm(),
                      low = std::max(0., std::min(first, second)),
                      high = std::min(u.norm(), std::max(first, second));
         place = a.from + low / u.norm() * u;
-        return high - low > same_place;
+        return high - low > section_resolution;
       }
-      const double s = cross(w, v) / area, t = cross(w, u) / area, at_a = same_place / u.norm(),
-                   at_b = same_place / v.norm();
+      const double s = cross(w, v) / area, t = cross(w, u) / area, at_a = section_resolution / u.norm(),
+                   at_b = section_resolution / v.norm();
       place = a.from + s * u;
       const bool on_a = s > -at_a && s<1 + at_a, on_b = t> - at_b && t<1 + at_b, inside_a = s> at_a &&
                         s<1 - at_a, inside_b = t> at_b && t < 1 - at_b;
@@ -172,8 +169,8 @@ namespace vibrocontact
             for (unsigned int k = 0; k < n_corners; ++k)
             {
               const double s = (points[k] - row.start) * u / u.norm_square();
-              if (s > same_place / u.norm() && s < 1 - same_place / u.norm() &&
-                  std::abs(cross(u, points[k] - row.start)) < same_place * u.norm())
+              if (s > section_resolution / u.norm() && s < 1 - section_resolution / u.norm() &&
+                  std::abs(cross(u, points[k] - row.start)) < section_resolution * u.norm())
                 along[s] = k;
             }
             unsigned int last = point(row.start);
@@ -268,7 +265,7 @@ namespace vibrocontact
       const std::size_t n_nodes = mesh.nodes.size(), n_cells = mesh.quadrilaterals.size();
       for (std::size_t k = 0; k < n_nodes; ++k)
       {
-        const bool on_axis = std::abs(mesh.nodes[k][0]) < same_place;
+        const bool on_axis = std::abs(mesh.nodes[k][0]) < section_resolution;
         image.push_back(on_axis ? k : mesh.nodes.size());
         if (!on_axis)
           mesh.nodes.emplace_back(-mesh.nodes[k][0], mesh.nodes[k][1], 0.);
@@ -286,16 +283,16 @@ namespace vibrocontact
                                         const std::string &file)
   {
     std::vector<OutlineLoop> loops;
-    const auto on_axis = [&](const Point<2> &p) { return mirrored && std::abs(p[0]) < same_place; };
+    const auto on_axis = [&](const Point<2> &p) { return mirrored && std::abs(p[0]) < section_resolution; };
     for (unsigned int k = 0; k < outline.rows.size(); ++k)
     {
       const SectionOutline::Row &row = outline.rows[k];
       for (const Point<2> &p : {row.start, row.end})
       {
-        if (!mirrored && !(p[1] > same_place))
+        if (!mirrored && !(p[1] > section_resolution))
           throw InputError("The section outline " + file + " crosses its axle: it reaches a radius of " +
                            number_text(1e3 * p[1]) + " mm; give one half of the section, all radii above 0.");
-        if (mirrored && p[0] < -same_place)
+        if (mirrored && p[0] < -section_resolution)
           throw InputError("The section outline " + file + " reaches over its line of symmetry, to a = " +
                            number_text(1e3 * p[0]) + " mm; give its right half, all of it at a >= 0.");
       }

@@ -117,7 +117,7 @@ namespace vibrocontact
       return *types.begin();
     }
 
-    struct Fault
+    struct MisplacedNodes
     {
       unsigned int n = 0;
       Point<3> first;
@@ -189,7 +189,7 @@ namespace vibrocontact
     private:
       FileCells &cells;
       const std::string &file;
-      Fault far, torn;
+      MisplacedNodes far, torn;
     };
 
     void add_middles(FileCells &cells, const FileMesh &mesh, const std::vector<unsigned int> &vertex_of,

@@ -15,18 +15,18 @@ namespace vibrocontact
 
   namespace
   {
-    using List = std::vector<unsigned int>;
+    using Nodes = std::vector<unsigned int>;
 
-    List ascending(List nodes)
+    Nodes ascending(Nodes nodes)
     {
       std::sort(nodes.begin(), nodes.end());
       return nodes;
     }
 
     /// Corners of the faces of a solid in gmsh's order, each around the normal that points out.
-    const std::vector<List> &faces_of(const unsigned int n_corners)
+    const std::vector<Nodes> &faces_of(const unsigned int n_corners)
     {
-      static const std::map<unsigned int, std::vector<List>> faces = {
+      static const std::map<unsigned int, std::vector<Nodes>> faces = {
           {4, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}},
           {5, {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}},
           {6, {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}},
@@ -35,7 +35,7 @@ namespace vibrocontact
     }
 
     /// A face as triangles around the same normal, a quadrilateral cut through its smallest number.
-    std::vector<List> triangles_of(List face)
+    std::vector<Nodes> triangles_of(Nodes face)
     {
       if (face.size() == 3)
         return {face};
@@ -44,22 +44,22 @@ namespace vibrocontact
     }
 
     /// Corners of the tetrahedra of one cell. @param corners nodes in gmsh's order
-    std::vector<List> tetrahedra_of(const List &corners)
+    std::vector<Nodes> tetrahedra_of(const Nodes &corners)
     {
       if (corners.size() == 4)
         return {corners};
       const unsigned int smallest = *std::min_element(corners.begin(), corners.end());
-      std::vector<List> far;
-      for (const List &list : faces_of(corners.size()))
+      std::vector<Nodes> far;
+      for (const Nodes &list : faces_of(corners.size()))
       {
-        List face;
+        Nodes face;
         for (const unsigned int c : list)
           face.push_back(corners[c]);
         if (std::count(face.begin(), face.end(), smallest) == 0)
-          for (const List &triangle : triangles_of(face))
+          for (const Nodes &triangle : triangles_of(face))
             far.push_back(triangle);
       }
-      std::vector<List> result;
+      std::vector<Nodes> result;
       const auto add = [&](const unsigned int tip, const unsigned int a, const unsigned int b,
                            const unsigned int c) {
         result.push_back({tip, a, b, c});
@@ -71,7 +71,7 @@ namespace vibrocontact
         const unsigned int tip =
             corners[opposite[std::find(corners.begin(), corners.end(), smallest) - corners.begin()]];
         std::map<unsigned int, unsigned int> next;
-        for (List &triangle : far)
+        for (Nodes &triangle : far)
         {
           const auto at = std::find(triangle.begin(), triangle.end(), tip);
           if (at == triangle.end())
@@ -82,14 +82,14 @@ namespace vibrocontact
         if (next.size() == 3)
         {
           far.erase(std::remove_if(far.begin(), far.end(),
-                                   [&](const List &triangle) { return triangle[0] == tip; }),
+                                   [&](const Nodes &triangle) { return triangle[0] == tip; }),
                     far.end());
           const unsigned int a = next.begin()->first, b = next[a], c = next[b];
           far.push_back({a, b, c});
           add(tip, a, c, b);
         }
       }
-      for (const List &triangle : far)
+      for (const Nodes &triangle : far)
         add(smallest, triangle[0], triangle[1], triangle[2]);
       return result;
     }
@@ -103,7 +103,7 @@ namespace vibrocontact
         result.names = given.names;
         for (const FileElements &block : given.elements)
           for_solids(block,
-                     [&](const ElementType &kind, const List &nodes) { learn(kind, block.type, nodes); });
+                     [&](const ElementType &kind, const Nodes &nodes) { learn(kind, block.type, nodes); });
         check_corners();
         check_diagonals();
       }
@@ -115,10 +115,10 @@ namespace vibrocontact
           const ElementType *const kind = element_type(block.type);
           if (kind && kind->dim == 3)
             for_solids(block,
-                       [&](const ElementType &type, const List &nodes) { add_cell(type, block, nodes); });
+                       [&](const ElementType &type, const Nodes &nodes) { add_cell(type, block, nodes); });
           else if (kind && kind->dim == 2 && kind->n_corners == 4)
             for (std::size_t first = 0; first < block.nodes.size(); first += kind->n_nodes)
-              for (const List &triangle :
+              for (const Nodes &triangle :
                    triangles_of({block.nodes.begin() + first, block.nodes.begin() + first + 4}))
                 add(2, block.groups, triangle);
           else
@@ -134,9 +134,9 @@ namespace vibrocontact
 
       static Edge edge(const unsigned int a, const unsigned int b) { return std::minmax(a, b); }
 
-      static List corners_of(const List &nodes, const List &list)
+      static Nodes corners_of(const Nodes &nodes, const Nodes &list)
       {
-        List corners;
+        Nodes corners;
         for (const unsigned int c : list)
           corners.push_back(nodes[c]);
         return ascending(corners);
@@ -148,19 +148,19 @@ namespace vibrocontact
         const ElementType *const kind = element_type(block.type);
         if (kind && kind->dim == 3)
           for (std::size_t first = 0; first < block.nodes.size(); first += kind->n_nodes)
-            action(*kind, List(block.nodes.begin() + first, block.nodes.begin() + first + kind->n_nodes));
+            action(*kind, Nodes(block.nodes.begin() + first, block.nodes.begin() + first + kind->n_nodes));
       }
 
       /// Which faces and middle nodes there are.
-      void learn(const ElementType &kind, const unsigned int type, const List &nodes)
+      void learn(const ElementType &kind, const unsigned int type, const Nodes &nodes)
       {
-        for (const List &list : faces_of(kind.n_corners))
+        for (const Nodes &list : faces_of(kind.n_corners))
           list.size() == 4 ? void(++n_at_face[corners_of(nodes, list)])
                            : void(triangles.insert(corners_of(nodes, list)));
-        const std::vector<List> lists = middles(type);
+        const std::vector<Nodes> lists = middles(type);
         for (std::size_t m = 0; m < lists.size(); ++m)
         {
-          const List corners = corners_of(nodes, lists[m]);
+          const Nodes corners = corners_of(nodes, lists[m]);
           if (corners.size() < 8)
             node_between.emplace(corners, nodes[kind.n_corners + m]);
         }
@@ -173,9 +173,9 @@ namespace vibrocontact
         Point<3> first;
         for (const FileElements &block : given.elements)
           for_solids(block,
-                     [&](const ElementType &kind, const List &nodes)
+                     [&](const ElementType &kind, const Nodes &nodes)
                      {
-                       for (const List &found : matches(kind, nodes))
+                       for (const Nodes &found : matches(kind, nodes))
                          if (n++ == 0)
                            for (const unsigned int node : found)
                              first += (1. / found.size()) * given.nodes[node];
@@ -192,9 +192,9 @@ namespace vibrocontact
       void check_corners() const
       {
         refuse(
-            [](const ElementType &kind, const List &nodes) -> std::vector<List>
+            [](const ElementType &kind, const Nodes &nodes) -> std::vector<Nodes>
             {
-              const List corners(nodes.begin(), nodes.begin() + kind.n_corners);
+              const Nodes corners(nodes.begin(), nodes.begin() + kind.n_corners);
               if (std::set<unsigned int>(corners.begin(), corners.end()).size() == corners.size())
                 return {};
               return {corners};
@@ -207,14 +207,14 @@ namespace vibrocontact
       void check_diagonals() const
       {
         refuse(
-            [&](const ElementType &kind, const List &nodes)
+            [&](const ElementType &kind, const Nodes &nodes)
             {
-              std::vector<List> crossed;
-              for (const List &list : faces_of(kind.n_corners))
+              std::vector<Nodes> crossed;
+              for (const Nodes &list : faces_of(kind.n_corners))
               {
                 if (list.size() != 4 || n_at_face.at(corners_of(nodes, list)) > 1)
                   continue;
-                List face;
+                Nodes face;
                 for (const unsigned int c : list)
                   face.push_back(nodes[c]);
                 std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
@@ -229,25 +229,25 @@ namespace vibrocontact
             "(Mesh/Glued)");
       }
 
-      void add(const unsigned int type, const List &groups, const List &nodes)
+      void add(const unsigned int type, const Nodes &groups, const Nodes &nodes)
       {
-        List &block = blocks[{type, groups}];
+        Nodes &block = blocks[{type, groups}];
         block.insert(block.end(), nodes.begin(), nodes.end());
       }
 
-      void add_cell(const ElementType &kind, const FileElements &block, const List &nodes)
+      void add_cell(const ElementType &kind, const FileElements &block, const Nodes &nodes)
       {
-        const std::vector<List> tetrahedra = tetrahedra_of({nodes.begin(), nodes.begin() + kind.n_corners});
+        const std::vector<Nodes> tetrahedra = tetrahedra_of({nodes.begin(), nodes.begin() + kind.n_corners});
         if (kind.order == 1)
         {
-          for (const List &corners : tetrahedra)
+          for (const Nodes &corners : tetrahedra)
             add(4, block.groups, corners);
           return;
         }
         const std::map<Edge, unsigned int> middle = middles_in(kind, block.type, nodes, tetrahedra);
-        for (List corners : tetrahedra)
+        for (Nodes corners : tetrahedra)
         {
-          for (const List &ends : middles(11))
+          for (const Nodes &ends : middles(11))
             corners.push_back(middle.at(edge(corners[ends[0]], corners[ends[1]])));
           add(11, block.groups, corners);
         }
@@ -255,27 +255,27 @@ namespace vibrocontact
 
       /// The nodes in the middle of all edges of a cell's tetrahedra.
       std::map<Edge, unsigned int> middles_in(const ElementType &kind, const unsigned int type,
-                                              const List &nodes, const std::vector<List> &tetrahedra)
+                                              const Nodes &nodes, const std::vector<Nodes> &tetrahedra)
       {
         std::map<Edge, unsigned int> middle;
-        std::map<List, unsigned int> own;
-        const std::vector<List> lists = middles(type);
+        std::map<Nodes, unsigned int> own;
+        const std::vector<Nodes> lists = middles(type);
         for (std::size_t m = 0; m < lists.size(); ++m)
         {
-          const List corners = corners_of(nodes, lists[m]);
+          const Nodes corners = corners_of(nodes, lists[m]);
           own[corners] = nodes[kind.n_corners + m];
           if (corners.size() == 2)
             middle[edge(corners[0], corners[1])] = nodes[kind.n_corners + m];
         }
         const std::map<Edge, unsigned int> edges = middle;
         bool all_flat = true;
-        for (const List &list : faces_of(kind.n_corners))
+        for (const Nodes &list : faces_of(kind.n_corners))
           if (list.size() == 4)
           {
-            List face;
+            Nodes face;
             for (const unsigned int c : list)
               face.push_back(nodes[c]);
-            const List diagonal = triangles_of(face).front();
+            const Nodes diagonal = triangles_of(face).front();
             const auto of_cell = own.find(ascending(face));
             const std::optional<unsigned int> in_file = of_cell != own.end()
                                                             ? std::optional<unsigned int>(of_cell->second)
@@ -287,8 +287,8 @@ namespace vibrocontact
           }
         if (kind.n_corners < 8)
           return middle;
-        const List corners = ascending({nodes.begin(), nodes.begin() + 8});
-        for (const List &one : tetrahedra)
+        const Nodes corners = ascending({nodes.begin(), nodes.begin() + 8});
+        for (const Nodes &one : tetrahedra)
           for (unsigned int a = 0; a < 4; ++a)
             for (unsigned int b = a + 1; b < 4; ++b)
               if (middle.count(edge(one[a], one[b])) == 0)
@@ -301,14 +301,14 @@ namespace vibrocontact
         return middle;
       }
 
-      std::optional<unsigned int> find_node(const List &around) const
+      std::optional<unsigned int> find_node(const Nodes &around) const
       {
         const auto found = node_between.find(around);
         return found == node_between.end() ? std::nullopt : std::optional<unsigned int>(found->second);
       }
 
       /// Whether a quadrilateral is plane and its edges straight, to the digits that files have.
-      bool is_flat(const List &face, const std::optional<unsigned int> &node,
+      bool is_flat(const Nodes &face, const std::optional<unsigned int> &node,
                    const std::map<Edge, unsigned int> &edges) const
       {
         const auto place = [&](const unsigned int n) { return given.nodes[n]; };
@@ -325,7 +325,7 @@ namespace vibrocontact
         Tensor<1, 3> normal =
             cross_product_3d(place(face[2]) - place(face[0]), place(face[3]) - place(face[1]));
         normal /= std::max(normal.norm(), 1e-300);
-        List others = {face[1], face[2], face[3]};
+        Nodes others = {face[1], face[2], face[3]};
         if (node)
           others.push_back(*node);
         return std::all_of(others.begin(), others.end(),
@@ -335,7 +335,7 @@ namespace vibrocontact
 
       /// Of a diagonal: that of a tetrahedron there; its middle on a flat face, whose triangles keep straight edges; that of the face
       /// in the file; else a new one.
-      unsigned int node_on(const List &diagonal, const List &corners, const bool flat,
+      unsigned int node_on(const Nodes &diagonal, const Nodes &corners, const bool flat,
                            const std::optional<unsigned int> &in_file,
                            const std::map<Edge, unsigned int> &edges)
       {
@@ -356,7 +356,7 @@ namespace vibrocontact
         return result.nodes.size() - 1;
       }
 
-      unsigned int new_node(const List &corners, const std::map<Edge, unsigned int> &edges,
+      unsigned int new_node(const Nodes &corners, const std::map<Edge, unsigned int> &edges,
                             const double share)
       {
         Point<3> place;
@@ -373,12 +373,12 @@ namespace vibrocontact
       const FileMesh &given;
       const std::string &file;
       FileMesh result;
-      std::map<std::pair<unsigned int, List>, List> blocks;
+      std::map<std::pair<unsigned int, Nodes>, Nodes> blocks;
       /// cells at each quadrilateral face; triangular faces; middle nodes in the file, and new ones, by the corners around
       /// them. All ascending
-      std::map<List, unsigned int> n_at_face;
-      std::set<List> triangles;
-      std::map<List, unsigned int> node_between, new_on_face;
+      std::map<Nodes, unsigned int> n_at_face;
+      std::set<Nodes> triangles;
+      std::map<Nodes, unsigned int> node_between, new_on_face;
     };
   } // namespace
 

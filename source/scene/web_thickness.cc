@@ -11,8 +11,6 @@ namespace vibrocontact
 
   namespace
   {
-    /// faces nearer to each other are one [m]
-    constexpr double same_place = 2e-7;
     /// of the web that stays
     constexpr double least_share = 0.1;
 
@@ -63,7 +61,7 @@ namespace vibrocontact
       result.thickness = crossings.back() - crossings.front();
       result.n_pieces = 1;
       for (unsigned int k = 1; k + 1 < crossings.size(); k += 2)
-        result.n_pieces += crossings[k + 1] - crossings[k] > same_place;
+        result.n_pieces += crossings[k + 1] - crossings[k] > section_resolution;
       return result;
     }
 

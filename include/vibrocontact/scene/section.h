@@ -12,6 +12,9 @@ namespace vibrocontact
 {
   struct GmshFile;
 
+  /// Points of a section nearer to each other are one [m].
+  constexpr double section_resolution = 2e-7;
+
   /// Outline of a cross-section: lines and circular arcs in coordinates (a, b), each belonging to a named
   /// part.
   ///

@@ -18,7 +18,7 @@ namespace vibrocontact
     /// the longest where the contact stays as it is at rest: motions of any amplitude are nearly alike
     constexpr double linear_step = 0.5;
     /// a secant that turns by more than this [cosine] is tried with half the step
-    constexpr double least_cosine = 0.8;
+    constexpr double least_turn_cosine = 0.8;
     /// of the first cycle's motion: nothing is left of a smaller one
     constexpr double vanished = 0.02;
     /// change of the value over the range from which on it is more than rounding
@@ -227,7 +227,7 @@ namespace vibrocontact
         double cosine = 0;
         for (unsigned int k = 0; k < n + 2; ++k)
           cosine += next[k] * before[k];
-        return cosine < least_cosine;
+        return cosine < least_turn_cosine;
       }
 
       /// The value at which the branch turned round, by the parabola through the last three places.

@@ -21,7 +21,7 @@ namespace vibrocontact
     constexpr unsigned int most_trials = 12;
     /// Newton's method begins where this share of the root's growth is left. Where nothing sticks all of it is left: from there it
     /// would go back to rest. A motion that decays has stuck; there a small change over a period is enough.
-    constexpr double little_growth = 0.3, little_change = 2e-3;
+    constexpr double little_growth = 0.3, little_decay = 2e-3;
     /// Of starts by harmonics: how many, one first, whose basin is the largest; to what the laws have to be met, in so many iterations;
     /// velocities that are tried, and the factor between them. A motion of another size or period than tried belongs to another root, or is rest.
     constexpr unsigned int iterations_of_start = 12, trials_by_harmonics = 4;
@@ -250,7 +250,7 @@ namespace vibrocontact
     {
       const CycleStart start = grown(velocity);
       if (std::abs(start.growth) < little_growth * root.growth ||
-          (start.growth < 0 && -start.growth * start.period < little_change))
+          (start.growth < 0 && -start.growth * start.period < little_decay))
         return start;
       (start.growth > 0 ? low : high) = start;
       (start.growth > 0 ? low : high).velocity = velocity;

@@ -31,8 +31,8 @@ namespace vibrocontact
     constexpr double most_change_along = 1e-2;
 
     /// Newton's method from a state and a period, which the cycle has in the end.
-    NewtonResult close(CycleEquations &equations, const unsigned int max_iterations, const DenseVector &state,
-                       const double period, LimitCycle &cycle)
+    NewtonResult close_cycle(CycleEquations &equations, const unsigned int max_iterations,
+                             const DenseVector &state, const double period, LimitCycle &cycle)
     {
       NewtonSettings settings;
       settings.max_iterations = max_iterations;
@@ -191,7 +191,7 @@ namespace vibrocontact
           continue;
         cycle.started_by = one.name;
         const NewtonResult result =
-            close(equations, parameters.max_newton_iterations, start->state, start->period, cycle);
+            close_cycle(equations, parameters.max_newton_iterations, start->state, start->period, cycle);
         // rest repeats itself as well; what is left there is rounding
         if (cycle.converged && motion.velocity_in(cycle.state) < 1e-3 * start->velocity)
         {
@@ -236,7 +236,7 @@ namespace vibrocontact
     {
       const std::unique_ptr<const DenseMatrix> linear = linear_cycle_of(map, equilibrium, like.period);
       CycleEquations equations(map, map.pack(equilibrium), *linear, parameters.tolerance);
-      close(equations, parameters.max_newton_iterations, like.state, like.period, cycle);
+      close_cycle(equations, parameters.max_newton_iterations, like.state, like.period, cycle);
       const DenseVector rest = map.pack(equilibrium);
       if (!cycle.converged)
         cycle.message =
