@@ -10,7 +10,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <sstream>
+#include <utility>
 
 namespace vibrocontact
 {
@@ -148,6 +150,59 @@ namespace vibrocontact
         add_polygon(polygon, file, rows);
       return rows;
     }
+
+    /// One curve per row.
+    std::vector<SectionOutline::Row> read_curves(std::istream &stream, const std::string &file,
+                                                 const double mm)
+    {
+      std::vector<SectionOutline::Row> rows;
+      std::string line;
+      for (unsigned int number = 1; std::getline(stream, line); ++number)
+      {
+        if (line.empty() || line[0] == '#')
+          continue;
+        std::istringstream fields(line);
+        std::string kind, part, region;
+        double v[7];
+        fields >> kind;
+        for (double &x : v)
+          fields >> x;
+        fields >> part;
+        if (!fields || (kind != "line" && kind != "arc"))
+          throw InputError(at_line(number, file) +
+                           " is no curve; it must read: line|arc a1 b1 a2 b2 ac bc R part [region] (mm).");
+        fields >> region;
+        SectionOutline::Row row;
+        row.is_arc = kind == "arc";
+        row.start = Point<2>(mm * v[0], mm * v[1]);
+        row.end = Point<2>(mm * v[2], mm * v[3]);
+        row.centre = Point<2>(mm * v[4], mm * v[5]);
+        row.radius = mm * v[6];
+        row.part = part;
+        row.line = number;
+        row.region = region;
+        rows.push_back(row);
+      }
+      return rows;
+    }
+
+    std::vector<SectionOutline::Row> rows_of(const std::string &text, const std::string &file,
+                                             const double scale)
+    {
+      std::istringstream stream(text);
+      const double mm = 1e-3 * scale;
+      const std::string ending = ".csv";
+      const bool has_corners = file.size() > ending.size() &&
+                               file.compare(file.size() - ending.size(), ending.size(), ending) == 0;
+      const std::vector<SectionOutline::Row> rows =
+          has_corners ? read_corners(stream, file, mm) : read_curves(stream, file, mm);
+      if (rows.empty())
+        throw InputError("The section outline " + file + " holds no " +
+                         (has_corners
+                              ? "corner; it needs rows such as: -95, 92.5, 0, surface."
+                              : "curve; it needs rows such as: line|arc a1 b1 a2 b2 ac bc R part (mm)."));
+      return rows;
+    }
   } // namespace
 
   SectionOutline SectionOutline::read(const std::string &file, const double scale)
@@ -155,51 +210,19 @@ namespace vibrocontact
     std::ifstream bytes(file, std::ios::binary);
     if (!bytes)
       throw InputError("Cannot read the section outline " + file + "; give the path of an existing file.");
-    // names of parts and regions are those of the parameter file, which is UTF-8
-    std::istringstream stream(
-        as_utf8({std::istreambuf_iterator<char>(bytes), std::istreambuf_iterator<char>()}));
+    const std::string content{std::istreambuf_iterator<char>(bytes), std::istreambuf_iterator<char>()};
     SectionOutline outline;
     outline.tolerance *= scale;
-    const double mm = 1e-3 * scale;
-    const std::string ending = ".csv";
-    if (file.size() > ending.size() && file.compare(file.size() - ending.size(), ending.size(), ending) == 0)
+    // each case of a sweep reads its outlines
+    static std::map<std::pair<std::string, double>, std::pair<std::string, std::vector<Row>>> known;
+    auto &[known_content, known_rows] = known[{file, scale}];
+    if (known_rows.empty() || known_content != content)
     {
-      outline.rows = read_corners(stream, file, mm);
-      if (outline.rows.empty())
-        throw InputError("The section outline " + file +
-                         " holds no corner; it needs rows such as: -95, 92.5, 0, surface.");
-      return outline;
+      // names of parts and regions are those of the parameter file, which is UTF-8
+      known_rows = rows_of(as_utf8(content), file, scale);
+      known_content = content;
     }
-    std::string line;
-    for (unsigned int number = 1; std::getline(stream, line); ++number)
-    {
-      if (line.empty() || line[0] == '#')
-        continue;
-      std::istringstream fields(line);
-      std::string kind, part, region;
-      double v[7];
-      fields >> kind;
-      for (double &x : v)
-        fields >> x;
-      fields >> part;
-      if (!fields || (kind != "line" && kind != "arc"))
-        throw InputError(at_line(number, file) +
-                         " is no curve; it must read: line|arc a1 b1 a2 b2 ac bc R part [region] (mm).");
-      fields >> region;
-      Row row;
-      row.is_arc = kind == "arc";
-      row.start = Point<2>(mm * v[0], mm * v[1]);
-      row.end = Point<2>(mm * v[2], mm * v[3]);
-      row.centre = Point<2>(mm * v[4], mm * v[5]);
-      row.radius = mm * v[6];
-      row.part = part;
-      row.line = number;
-      row.region = region;
-      outline.rows.push_back(row);
-    }
-    if (outline.rows.empty())
-      throw InputError("The section outline " + file +
-                       " holds no curve; it needs rows such as: line|arc a1 b1 a2 b2 ac bc R part (mm).");
+    outline.rows = known_rows;
     return outline;
   }
 
