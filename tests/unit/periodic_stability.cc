@@ -53,7 +53,7 @@ namespace
     return body;
   }
 
-  constexpr double exciting = 20;
+  constexpr double exciting_amplitude = 20;
 
   BranchSettings around_first_mode(const ForcedBody &body)
   {
@@ -148,7 +148,7 @@ TEST(PeriodicStability, RigidStopWithoutFrictionAsByShooting)
   BalanceSettings settings;
   settings.n_functions = 101;
   PeriodicBalance balance(body, law, settings);
-  balance.set_force({exciting, body.omega[0] / (2 * M_PI)});
+  balance.set_force({exciting_amplitude, body.omega[0] / (2 * M_PI)});
   const ResponseCurve curve = follow_response(balance, around_first_mode(body));
   expect_changes_at_folds(curve, 2);
   unsigned int compared = 0, unstable = 0;
@@ -213,7 +213,7 @@ TEST(PeriodicStability, RigidStopWithoutFrictionAsByShooting)
 TEST(PeriodicStability, DisturbancesDecayWithFrictionAsInTime)
 {
   const ForcedBody body = rubbing_blade(true);
-  HarmonicForce force{exciting, 125.1};
+  HarmonicForce force{exciting_amplitude, 125.1};
   constexpr double friction = 0.3;
   const auto balance_of = [&](const unsigned int n_functions)
   {

@@ -12,7 +12,7 @@ using namespace vibrocontact;
 namespace
 {
   /// Unit bar held at one end, modes sin((k - 1/2) pi x) at the other: n of them kept.
-  ReducedBody held_bar(const unsigned int n, const double beta)
+  ReducedBody held_unit_bar(const unsigned int n, const double beta)
   {
     ReducedBody body;
     body.grid.n_x = body.grid.n_y = 1;
@@ -46,10 +46,10 @@ TEST(ResidualDamping, AgainstAllModes)
     for (const double frequency : {0.1, 0.37, 0.6})
     {
       const double omega = 2 * M_PI * frequency;
-      const ReducedBody few = held_bar(5, beta), all = held_bar(5000, beta);
+      const ReducedBody few = held_unit_bar(5, beta), all = held_unit_bar(5000, beta);
       // the same without damping: what the mass of the dropped modes does, which is no matter of damping
       const std::complex<double> inertia =
-          receptance(held_bar(5000, 0), omega) - receptance(held_bar(5, 0), omega);
+          receptance(held_unit_bar(5000, 0), omega) - receptance(held_unit_bar(5, 0), omega);
       const double truth = std::abs(receptance(all, omega) - receptance(few, omega) - inertia) /
                            std::abs(receptance(few, omega));
       const DroppedDamping dropped = dropped_residual_damping({{&few, 0, beta, 0}}, 0, {frequency});
@@ -61,7 +61,7 @@ TEST(ResidualDamping, AgainstAllModes)
 
 TEST(ResidualDamping, LossFactorAndFurtherCompliance)
 {
-  const ReducedBody body = held_bar(3, 0);
+  const ReducedBody body = held_unit_bar(3, 0);
   const double W = body.residual(0, 0);
   // static: H = 1 + further; W (1 - 1 / (1 + i eta))
   const DroppedDamping dropped = dropped_residual_damping({{&body, 0, 0, 0.1}}, 1, {0.});

@@ -23,19 +23,19 @@ namespace
   /// displacement under the sliding force [m]
   constexpr double slip_displacement = mu * normal_force / stiffness;
 
-  struct Outcome
+  struct Ride
   {
     std::vector<double> displacement, force, tangential_displacement, tangential_force;
     ModalConvolutionResult result;
   };
 
-  Outcome run(const BodyInContact &model, const Road &road, const ModalConvolutionParameters &parameters,
-              const std::shared_ptr<const FrictionLaw> &friction)
+  Ride run(const BodyInContact &model, const Road &road, const ModalConvolutionParameters &parameters,
+           const std::shared_ptr<const FrictionLaw> &friction)
   {
     ContactSolverParameters accurate;
     accurate.tolerance = 1e-13;
     ModalConvolution motion(parameters, accurate, model, road, {create_normal_law("signorini"), friction});
-    Outcome outcome;
+    Ride outcome;
     const auto keep = [&](const ModalConvolutionLines &lines)
     {
       const auto append = [&](std::vector<double> &to, const double *from)
@@ -55,8 +55,8 @@ namespace
   }
 
   /// @param pull constant force on the mass along the road [N]
-  Outcome run_point(const double sliding_speed, const double pull, const double step, const double end,
-                    const std::shared_ptr<const FrictionLaw> &friction = create_friction_law("coulomb", {mu}))
+  Ride run_point(const double sliding_speed, const double pull, const double step, const double end,
+                 const std::shared_ptr<const FrictionLaw> &friction = create_friction_law("coulomb", {mu}))
   {
     DenseMatrix trace(2, 2);
     trace(0, 0) = std::sqrt(0.5);
@@ -94,7 +94,7 @@ namespace
         shapes.push_back(ring.radius * (1 - std::cos(angle)));
       }
     }
-    Outcome run(const double friction, const bool with_friction = true) const
+    Ride run(const double friction, const bool with_friction = true) const
     {
       return ::run(ring_poles(ring, ring_rows(ring, with_friction)), Road(road, places, shapes, own.end_time),
                    own, create_friction_law("coulomb", {friction}));
@@ -131,7 +131,7 @@ TEST(RoadFriction, FallingFrictionSwingsUpAsTheClosedForm)
   std::vector<double> errors;
   for (const double step : {2e-4, 1e-4, 5e-5})
   {
-    const Outcome found = run_point(V, 0, step, end, law);
+    const Ride found = run_point(V, 0, step, end, law);
     double worst = 0, largest_swing = 0;
     for (std::size_t k = 0; k < found.tangential_displacement.size(); ++k)
     {
@@ -168,7 +168,7 @@ TEST(RoadFriction, StickSlipOnABelt)
   for (const unsigned int k : {0u, 1u, 2u})
   {
     const double h = 1e-4 / (1 << k), end = 0.12;
-    const Outcome own = run_point(-V, 0, h, end);
+    const Ride own = run_point(-V, 0, h, end);
     errors[k] = force_errors[k] = 0;
     unsigned int sticking = 0;
     for (std::size_t i = 1; i < own.force.size(); ++i)
@@ -204,7 +204,7 @@ TEST(RoadFriction, CoulombDamping)
   for (const unsigned int k : {0u, 1u, 2u})
   {
     const double h = 1e-4 / (1 << k);
-    const Outcome own = run_point(0, stiffness * offset, h, 0.14);
+    const Ride own = run_point(0, stiffness * offset, h, 0.14);
     errors[k] = 0;
     for (std::size_t i = 0; i < own.force.size(); ++i)
     {
@@ -241,7 +241,7 @@ TEST(RoadFriction, LawHoldsAtThePointsOfARing)
 {
   Tyre tyre;
   tyre.road.sliding_speed = 0.05;
-  const Outcome own = tyre.run(0.5);
+  const Ride own = tyre.run(0.5);
   const double scale = own.result.largest_force;
   unsigned int sticking = 0, forward = 0, backward = 0;
   for (std::size_t k = 3; k < own.force.size(); ++k)
@@ -271,10 +271,10 @@ TEST(RoadFriction, LimitsOfARing)
 {
   Tyre tyre;
   tyre.road.sliding_speed = 100;
-  const Outcome sliding = tyre.run(0.5);
+  const Ride sliding = tyre.run(0.5);
   for (unsigned int i = 0; i < 3; ++i)
     EXPECT_NEAR(sliding.result.tangential_impulse[i] / sliding.result.impulse[i], -0.5, 1e-9);
-  const Outcome smooth = tyre.run(0.), without = tyre.run(0., false);
+  const Ride smooth = tyre.run(0.), without = tyre.run(0., false);
   EXPECT_LT(largest_difference(smooth.force, without.force), 1e-9 * largest(without.force));
   EXPECT_LT(largest(smooth.tangential_force), 1e-9 * largest(without.force));
 }
@@ -284,11 +284,11 @@ TEST(RoadFriction, MethodsAgree)
   Tyre tyre;
   tyre.own.end_time = 0.03;
   tyre.road.sliding_speed = 0.05;
-  const Outcome recursion = tyre.run(0.5);
+  const Ride recursion = tyre.run(0.5);
   for (const char *method : {"direct convolution", "block convolution"})
   {
     tyre.own.method = method;
-    const Outcome other = tyre.run(0.5);
+    const Ride other = tyre.run(0.5);
     EXPECT_LT(largest_difference(recursion.tangential_force, other.tangential_force),
               1e-9 * largest(recursion.force))
         << method;
@@ -305,7 +305,7 @@ TEST(RoadFriction, ConvergesOnARing)
   for (const unsigned int k : {0u, 1u, 2u})
   {
     tyre.own.time_step = 20e-6 / (1 << (2 * k));
-    const Outcome own = tyre.run(0.5);
+    const Ride own = tyre.run(0.5);
     impulse[k] = own.result.tangential_impulse[1];
     work[k] = own.result.dissipation;
     std::printf("ring, h = %.3g s: tangential impulse %.8f N s, friction %.8f J\n", tyre.own.time_step,
@@ -336,15 +336,15 @@ TEST(RoadFriction, RefusesShapesThatRing)
 TEST(RoadFriction, SpeedOfConstantValue)
 {
   Tyre tyre;
-  const Outcome constant = tyre.run(0., false);
+  const Ride constant = tyre.run(0., false);
   tyre.road.speed = 0;
   tyre.road.speed_expression = "80/3.6+0*t";
-  const Outcome expression = tyre.run(0., false);
+  const Ride expression = tyre.run(0., false);
   tyre.road.speed_expression.clear();
   tyre.road.speed_table = scratch_folder() + "/constant_speed.csv";
   std::ofstream(tyre.road.speed_table) << "time_s,speed_m_s\n0,22.222222222222222\n0.01,22.222222222222222\n"
                                           "1,22.222222222222222\n";
-  const Outcome table = tyre.run(0., false);
+  const Ride table = tyre.run(0., false);
   EXPECT_LT(largest_difference(constant.force, expression.force), 1e-10 * largest(constant.force));
   EXPECT_LT(largest_difference(constant.force, table.force), 1e-10 * largest(constant.force));
 }

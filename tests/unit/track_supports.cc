@@ -464,7 +464,7 @@ TEST(TrackSupports, slab_below_continuous_pads)
                  : k % 2          ? 4.
                                   : 2.) *
                 step / 3 * response(std::sinh(k * step)) * std::cosh(k * step) / PI;
-    closed += 1 / (PI * rail.shear * Complex(1, 0.02) * std::sinh(end));
+    closed += 1. / (PI * rail.shear * Complex(1, 0.02) * std::sinh(end));
     const Complex found = vertical(track, f, 0.1);
     std::cout << f << " Hz: off by " << std::abs(found / closed - 1.) << std::endl;
     EXPECT_LT(std::abs(found / closed - 1.), 1e-8) << f;
