@@ -1,7 +1,10 @@
 """What scripts share: parameter files are written, run and read."""
-import csv, json, os, subprocess, sys
+import csv, json, os, sys
+
+from many_runs import ManyRuns
 
 program, mpirun = sys.argv[1:3]
+runs = ManyRuns(program, mpirun)
 
 
 def section(name, *lines):
@@ -17,10 +20,7 @@ def run(name, text, ranks=1, *options, may_doubt=False):
     """Runs a file and returns results.json and its folder. may_doubt: also if the program itself doubts the results."""
     with open(name + ".prm", "w") as file:
         file.write(text + "\n" + section("Output", entries(Directory=name, Cache_directory="cache", Figures="false")))
-    command = [program, name + ".prm", "--quiet", *options]
-    if ranks > 1:
-        command = [mpirun, "-n", str(ranks)] + command
-    done = subprocess.run(command, capture_output=True, text=True)
+    done = runs.run([name + ".prm", "--quiet", *options], ranks)
     if done.returncode != 0 and not (may_doubt and done.returncode == 2):
         sys.exit(f"FAILED: {name}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
     return json.load(open(os.path.join(name, "results.json")))["analyses"], name

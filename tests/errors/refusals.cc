@@ -3,13 +3,9 @@
 /// The first line of a file is "# EXPECT: regex"; a line "# OPTIONS: ..." after it adds options. The program must leave
 /// with exit code 1, say one sentence that matches, and leave no files behind; with --check as well, unless a line
 /// "# NOT BY CHECK: reason" says why that cannot know.
-///
-/// Each run is a copy of this process: to load the program's libraries takes ten times as long as to refuse a file.
 
-#include <vibrocontact/run/program.h>
+#include "../run_in_copy.h"
 
-#include <cstdlib>
-#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -17,8 +13,6 @@
 #include <regex>
 #include <stdexcept>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <vector>
 #include <wordexp.h>
 
@@ -26,7 +20,6 @@ namespace
 {
   namespace fs = std::filesystem;
 
-  constexpr unsigned int longest_run = LONGEST_RUN; // s
   constexpr std::size_t longest_message = 700;
 
   std::string text_of(const fs::path &file)
@@ -90,37 +83,6 @@ namespace
     return result;
   }
 
-  /// In a folder, with its output in two files. Whatever is thrown ends this process.
-  [[noreturn]] void become_program(std::vector<std::string> arguments, const fs::path &folder,
-                                   const fs::path &screen, const fs::path &message) noexcept
-  {
-    alarm(longest_run);
-    fs::current_path(folder);
-    for (const auto &[file, descriptor] : {std::pair(screen, STDOUT_FILENO), {message, STDERR_FILENO}})
-      if (dup2(open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), descriptor) < 0)
-        std::abort();
-    arguments.insert(arguments.begin(), PROGRAM_FILE);
-    std::vector<char *> pointers;
-    for (std::string &argument : arguments)
-      pointers.push_back(argument.data());
-    pointers.push_back(nullptr);
-    std::exit(vibrocontact::run_program(vibrocontact::standard_tables(), arguments.size(), pointers.data()));
-  }
-
-  /// The program in a copy of this process. @return as waitpid() has it
-  int status_of_run(const std::vector<std::string> &arguments, const fs::path &folder, const fs::path &screen,
-                    const fs::path &message)
-  {
-    const pid_t child = fork();
-    if (child < 0)
-      throw std::runtime_error("no process could be made");
-    if (child == 0)
-      become_program(arguments, folder, screen, message);
-    int status = 0;
-    waitpid(child, &status, 0);
-    return status;
-  }
-
   struct Refusal
   {
     std::string message;
@@ -137,7 +99,7 @@ namespace
     fs::create_directory(work);
     std::vector<std::string> arguments = words_of(options);
     arguments.insert(arguments.begin(), file);
-    const int status = status_of_run(arguments, work, screen, message);
+    const int status = status_of({arguments, work, screen, message, LONGEST_RUN});
     const std::string said = text_of(message);
     const auto check = [&](const bool good, const std::string &what)
     {

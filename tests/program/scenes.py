@@ -5,14 +5,17 @@ Every body is given to every analysis in the smallest scene that says all that b
 refuses what does not, are the table of PAGE (doc/scenes.md) between its two markers. Fails if the page says something else;
 --write brings it up to date.
 """
-from concurrent.futures import ThreadPoolExecutor
-import os, re, subprocess, sys, tempfile
+import os, re, sys, tempfile
 
 program, page = os.path.abspath(sys.argv[1]), sys.argv[2]
 tests = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.join(os.path.dirname(tests), "parameter_files", "verification", "cell_types"))
+sys.path.insert(0, tests)
 sys.dont_write_bytecode = True
 import meshes
+from many_runs import ManyRuns
+
+runs = ManyRuns(program)
 
 HELD = ["Modes/Count = 4"]
 BAR = ["Material/Young modulus = 70e9", "Material/Density = 2700", "Material/Loss factor = 0.01", "Bar/Length = 1",
@@ -151,8 +154,7 @@ def outcome(analysis, name):
         with tempfile.TemporaryDirectory() as folder:
             with open(folder + "/scene.prm", "w") as file:
                 file.write(text(analysis, name, settings))
-            done = subprocess.run([program, "scene.prm", "--quiet", "--output", "run"], cwd=folder, text=True,
-                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            done = runs.run(["scene.prm", "--quiet", "--output", "run"], folder=folder)
         if done.returncode in (0, 2):
             return "runs"
         if done.returncode != 1:
@@ -171,9 +173,7 @@ def outcome(analysis, name):
         settings = kept
 
 
-with ThreadPoolExecutor(2) as pool:
-    pairs = [(analysis, name) for name in BODIES for analysis in ANALYSES]
-    outcomes = dict(zip(pairs, pool.map(lambda pair: outcome(*pair), pairs)))
+outcomes = {(analysis, name): outcome(analysis, name) for name in BODIES for analysis in ANALYSES}
 rows, notes = [], []
 for name in BODIES:
     cells = []

@@ -5,11 +5,14 @@ Each case has the results and files of a run of its own with the entry at its va
 everything but times, digit for digit. A case that fails is marked, the others go on, exit code 2; if all fail, or an entry
 does not take a value, the input is wrong. --resume of a run that is done leaves all as it was.
 """
-import csv, json, math, os, subprocess, sys, time
+import csv, json, math, os, sys, time
+
+from many_runs import ManyRuns
 
 program, mpirun, files = sys.argv[1:4]
 examples = files + "/examples"
 tests = os.path.dirname(os.path.abspath(__file__))
+runs = ManyRuns(program, mpirun)
 
 
 def fail(text):
@@ -17,10 +20,10 @@ def fail(text):
 
 
 def run(name, file, *settings, ranks=1, code=0, options=()):
-    command = ([mpirun, "-n", str(ranks)] if ranks > 1 else []) + [program, file, "--quiet", "--output", name, *options]
+    arguments = [file, "--quiet", "--output", name, *options]
     for one in settings:
-        command += ["--set", one]
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        arguments += ["--set", one]
+    done = runs.run(arguments, ranks)
     if done.returncode != code:
         fail(f"{name}: exit code {done.returncode} for {code}: {done.stderr}")
     return done.stderr

@@ -13,16 +13,18 @@ check = Check()
 
 
 def wheel(name, model, ranks=1, analyses="modes, frequency response, quasi-static rolling, stability, transient", **more):
-    shape = dict(Model=model, Element_degree=2)
+    shape = dict(Model=model, Element_degree=2, **more)
     if model == "solid":
         shape.update(Contact_division=0.014, Coarse_division=0.15, Growth=4)
+    else:
+        shape.setdefault("Harmonics", 20)
     response = dict(Points="tread: 0, 0, z; side: 0, 0, y; along: 0, 0, x; behind: 0.1, 0, z; web: 0.2, -0.015, 0.259, y",
                     Frequencies="60, 100, 165, 250, 420", Quantity="receptance")
     if model == "harmonics":
         response["Check_frequencies"] = "150, 510"
     text = "\n".join([
         "set Bodies = wheel, crown", f"set Analyses = {analyses}",
-        section("wheel", "set Type = wheel", section("Wheel", entries(**shape, **more)),
+        section("wheel", "set Type = wheel", section("Wheel", entries(**shape)),
                 section("Loads", entries(Gravity=9.81)), section("Modes", entries(Upper_frequency=700))),
         section("crown", "set Type = rigid", section("Rigid", entries(Radius_y=0.3))),
         section("Contact", entries(Friction_coefficient=0.3, Grid_spacing=2e-3, Lateral_position=15e-3)),
@@ -81,7 +83,7 @@ for row, row_2, row_s in zip(*responses):
             check.near(f"{a} under {b} of solid elements at {row['frequency_Hz']} Hz", abs(of(row_s, a, b) - of(row, a, b)), 0, 0.05, size)
 for each in direct_checks(one):
     check.near("modes against a direct solution", each["error"], 0, 2e-3, 1)
-# more waves than the default move the force by what is left out
+# more waves move the force by what is left out
 more = wheel("more_waves", "harmonics", 1, "quasi-static rolling, stability", Harmonics=120)[0]
 check.near("force with more waves", force(more), force(one), 2e-3)
 check.end()
