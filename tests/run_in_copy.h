@@ -2,12 +2,14 @@
 
 #include <vibrocontact/run/program.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <sys/wait.h>
+#include <tuple>
 #include <unistd.h>
 #include <vector>
 
@@ -26,10 +28,13 @@ struct RunInCopy
 [[noreturn]] inline void become_program(const RunInCopy &run) noexcept
 {
   alarm(run.longest);
-  std::filesystem::current_path(run.folder);
-  for (const auto &[file, descriptor] : {std::pair(run.screen, STDOUT_FILENO), {run.errors, STDERR_FILENO}})
-    if (dup2(open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), descriptor) < 0)
+  const int to_write = O_WRONLY | O_CREAT | O_TRUNC;
+  for (const auto &[file, descriptor, mode] : {std::tuple(run.screen, STDOUT_FILENO, to_write),
+                                               {run.errors, STDERR_FILENO, to_write},
+                                               {std::filesystem::path("/dev/null"), STDIN_FILENO, O_RDONLY}})
+    if (dup2(open(file.c_str(), mode, 0644), descriptor) < 0)
       std::abort();
+  std::filesystem::current_path(run.folder);
   std::vector<std::string> arguments = run.arguments;
   arguments.insert(arguments.begin(), PROGRAM_FILE);
   std::vector<char *> pointers;
@@ -48,6 +53,8 @@ inline int status_of(const RunInCopy &run)
   if (child == 0)
     become_program(run);
   int status = 0;
-  waitpid(child, &status, 0);
+  while (waitpid(child, &status, 0) < 0)
+    if (errno != EINTR)
+      throw std::runtime_error("a run was lost");
   return status;
 }
