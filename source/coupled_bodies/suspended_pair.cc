@@ -2,6 +2,7 @@
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/coupled_bodies/suspended_pair.h>
+#include <vibrocontact/numerics/eigenvalues.h>
 #include <vibrocontact/reduction/dense_modes.h>
 
 #include <algorithm>
@@ -124,6 +125,33 @@ namespace vibrocontact
           loss.modal(i + n_added, j + n_added) = held(i, j);
     }
 
+    /// Damping of the modes [1/s] beside its diagonal, as dampers along its eigenvectors, scaled by the diagonal. Those are left out that
+    /// do next to nothing beside it.
+    void add_damping_between_modes(const DenseMatrix &damping, SuspendedHub &hub)
+    {
+      constexpr double left_out = 1e-6;
+      const unsigned int n = damping.m(), n_before = hub.damping.size();
+      DenseMatrix between(n, n), vectors;
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+          if (i != j && damping(i, i) > 0 && damping(j, j) > 0)
+            between(i, j) = damping(i, j) / std::sqrt(damping(i, i) * damping(j, j));
+      const std::vector<double> values = symmetric_eigenvalues(between, vectors);
+      std::vector<unsigned int> kept;
+      for (unsigned int k = 0; k < n; ++k)
+        if (std::abs(values[k]) > left_out)
+          kept.push_back(k);
+      DenseMatrix dampers(n_before + kept.size(), n);
+      add_block(dampers, hub.dampers, 0, 0);
+      for (unsigned int d = 0; d < kept.size(); ++d)
+      {
+        hub.damping.push_back(values[kept[d]]);
+        for (unsigned int j = 0; j < n; ++j)
+          dampers(n_before + d, j) = vectors(j, kept[d]) * std::sqrt(std::max(0., damping(j, j)));
+      }
+      hub.dampers = dampers;
+    }
+
     /// Names of the modes beyond those of the held body: coordinates of one name are numbered by frequency.
     std::vector<std::string> labels_of(const HubCoordinates &hub, const std::vector<double> &omega)
     {
@@ -198,6 +226,7 @@ namespace vibrocontact
     add_block(H, hub.loss, n_1, n_1);
     H = projected(H, X);
     const DenseMatrix damping = projected(with_copy(ratios, n_1, hub), X);
+    add_damping_between_modes(damping, *moving);
     for (unsigned int j = 0; j < n_own; ++j)
     {
       const double w = pair.omega[j];

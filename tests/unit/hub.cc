@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 
 using namespace vibrocontact;
 
@@ -100,6 +101,61 @@ TEST(Hub, RigidWheelOnItsSpringHasTheRootOfAnOscillator)
   ASSERT_NE(on_contact, roots.end());
   EXPECT_NEAR(on_contact->frequency / frequency, 1, 1e-9);
   EXPECT_NEAR(-on_contact->growth / decay, 1, 1e-9);
+}
+
+TEST(Hub, DampingOfTheHeldModesActsAsAWhole)
+{
+  ContactPair bar = held_bar(12, 1e-3);
+  for (unsigned int k = 0; k < 12; ++k)
+    bar.damping_ratio[k] = 1e-3 * (1 + k % 5);
+  const SuspensionParameters s = suspension(1.7, 3, 0.4);
+  const ContactPair pair = suspended_pair(bar, suspended_hub(s));
+  const unsigned int n = pair.n_modes();
+  double largest = 0, between = 0, most = 0;
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+    {
+      double expected = 0;
+      for (unsigned int k = 0; k < 12; ++k)
+        expected += pair.hub->shapes(k, i) * 2 * bar.damping_ratio[k] * bar.omega[k] * pair.hub->shapes(k, j);
+      for (unsigned int d = 0; d < 3; ++d)
+        expected += s.damping[d] * pair.hub->motion(d, i) * pair.hub->motion(d, j);
+      const double own = i == j ? 2 * pair.damping_ratio[i] * pair.omega[i] : 0.;
+      largest = std::max(largest, std::abs(own + pair.hub->modal_damping(i, j) - expected));
+      if (i == j)
+        most = std::max(most, expected);
+      else
+        between = std::max(between, std::abs(expected));
+    }
+  EXPECT_GT(between, 1e-2);
+  EXPECT_LT(largest, 1e-6 * most);
+}
+
+// The first mode of a bar alone, on a light hub with a spring: two masses, whose roots are those of their matrices.
+TEST(Hub, DampedMassOnALightHubHasTheRootsOfTwoMasses)
+{
+  ContactPair bar = held_bar(1, 0.);
+  bar.damping_ratio[0] = 0.02;
+  const double gamma = bar.participation(0, 2), mass = gamma * gamma + 0.3, stiffness = 0.8, w = bar.omega[0],
+               c = 2 * 0.02 * w;
+  SuspensionParameters s = suspension(mass, 1e-3, 0);
+  s.stiffness[2] = stiffness;
+  s.damping[2] = 0.01;
+  const ContactPair pair = suspended_pair(bar, suspended_hub(s));
+  // q'' + gamma y'' + c q' + w^2 q = 0, gamma q'' + mass y'' + 0.01 y' + stiffness y = 0
+  const auto determinant = [&](const std::complex<double> l)
+  { return (l * l + c * l + w * w) * (mass * l * l + 0.01 * l + stiffness) - std::pow(gamma * l * l, 2); };
+  RollingEquilibrium open = sliding(1, 0.3, 5e4, 0.5);
+  open.contact.status.assign(1, ContactStatus::open);
+  unsigned int n_found = 0;
+  for (const StabilityRoot &root : roots_of(pair, open))
+    if (root.label == "bar:0" || root.label == "hub:z")
+    {
+      const std::complex<double> l(root.growth, 2 * pi * root.frequency);
+      EXPECT_LT(std::abs(determinant(l)), 1e-7 * std::pow(std::abs(l), 4)) << root.label;
+      ++n_found;
+    }
+  EXPECT_EQ(n_found, 2u);
 }
 
 TEST(Hub, LimitsAreHeldAndMassless)

@@ -36,8 +36,9 @@ namespace vibrocontact
   ///   [ 0          K ] x = l [ Gamma^T  M     ] x,    x^T M x = 1
   ///
   /// with the matrices of HubCoordinates, whose first coordinates are the hub's translations along x, y, z and, on an axle, its
-  /// rotations about them. Modes that do not move the hub stay what they were. Their modal damping is carried over to the
-  /// diagonal of the new modes; dampers act exactly, damping_force().
+  /// rotations about them. Modes that do not move the hub stay what they were. The damping matrix of the held modes
+  /// has its diagonal among the new modes in their damping ratios. The rest of it is a sum of dampers along its eigenvectors, with
+  /// factors of either sign; they act with the dampers of the suspension, damping_force().
   struct SuspendedHub
   {
     /// amplitudes of the modes of the held body 1, then of the hub's coordinates, per amplitude of the new modes; square
@@ -48,8 +49,9 @@ namespace vibrocontact
     double mass = 0;
     /// where the hub's rotations turn about, from the nominal contact point [m]
     std::array<double, 3> centre = {{0, 0, 0}};
-    /// of dampers [Ns/m], and what each new mode stretches them by, n_dampers x n_modes [1/sqrt(kg)]
+    /// of dampers, first those of the suspension [Ns/m], then those between modes [-]
     std::vector<double> damping;
+    /// what each new mode stretches them by, n_dampers x n_modes [1/sqrt(kg)]; between modes [1/sqrt(s)]
     DenseMatrix dampers;
     /// Gamma of the modes of body 1 that act, n x n_added
     DenseMatrix coupling;
@@ -70,7 +72,7 @@ namespace vibrocontact
     }
     bool is_damped() const
     {
-      return std::any_of(damping.begin(), damping.end(), [](const double c) { return c > 0; });
+      return std::any_of(damping.begin(), damping.end(), [](const double c) { return c != 0; });
     }
     /// What mode j feels of a velocity of mode k through the dampers [1/s].
     double modal_damping(const unsigned int j, const unsigned int k) const
@@ -80,17 +82,17 @@ namespace vibrocontact
         sum += damping[d] * dampers(d, j) * dampers(d, k);
       return sum;
     }
-    /// forces of the dampers for modal velocities [N]: the modes feel their -modal_force()
+    /// forces of the dampers for modal velocities: the modes feel their -modal_force()
     template <typename Velocities>
     std::vector<double> damping_force(const Velocities &v) const
     {
       std::vector<double> force(damping.size(), 0.);
       for (unsigned int d = 0; d < force.size(); ++d)
-        for (unsigned int j = 0; damping[d] > 0 && j < shapes.n(); ++j)
+        for (unsigned int j = 0; damping[d] != 0 && j < shapes.n(); ++j)
           force[d] += damping[d] * dampers(d, j) * v[j];
       return force;
     }
-    /// force on a mode of forces along the dampers [N/sqrt(kg)]
+    /// force on a mode [N/sqrt(kg)] of forces along the dampers
     double modal_force(const std::vector<double> &force, const unsigned int mode) const
     {
       double sum = 0;
