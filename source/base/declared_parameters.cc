@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 namespace vibrocontact
 {
@@ -60,6 +61,11 @@ namespace vibrocontact
     const auto found = std::find_if(entries.begin(), entries.end(),
                                     [&](const Entry &e) { return e.section == section && e.name == name; });
     return found == entries.end() ? nullptr : &*found;
+  }
+
+  DeclaredParameters::Entry *DeclaredParameters::find(const std::string &section, const std::string &name)
+  {
+    return const_cast<Entry *>(std::as_const(*this).find(section, name));
   }
 
   bool DeclaredParameters::has_section(const std::string &path) const

@@ -1,4 +1,3 @@
-#include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/nearest_names.h>
 #include <vibrocontact/base/parameter_file.h>
@@ -167,9 +166,9 @@ namespace vibrocontact
                           : "--set \"" + joined_path(entry.section, entry.name) + "\"";
   }
 
-  void ParameterFile::parse(dealii::ParameterHandler &prm) const
+  DeclaredParameters ParameterFile::parse(dealii::ParameterHandler &prm) const
   {
-    const DeclaredParameters declared = declared_parameters(prm);
+    DeclaredParameters declared = declared_parameters(prm);
     for (const auto &section : text.sections)
       check_section(declared, section.path, text.file_name + ":" + std::to_string(section.line) + ": ");
 
@@ -180,7 +179,7 @@ namespace vibrocontact
 
     for (const auto &entry : all)
     {
-      const DeclaredParameters::Entry &known = *declared.find(entry.section, entry.name);
+      DeclaredParameters::Entry &known = *declared.find(entry.section, entry.name);
       const std::string unit = unit_of(known.documentation);
       const std::string subject =
           location(entry) + ": entry \"" + entry.name + "\" of " + section_text(entry.section) + " ";
@@ -199,7 +198,9 @@ namespace vibrocontact
                          pattern_in_words(known.pattern) +
                          (unit.empty() || !is_number ? "" : ", in " + unit) + " (default " +
                          (known.default_value.empty() ? "empty" : known.default_value) + ")");
+      known.value = resolved.value;
     }
+    return declared;
   }
 
   std::string ParameterFile::where(const std::string &section, const std::string &entry) const

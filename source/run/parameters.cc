@@ -274,9 +274,9 @@ namespace vibrocontact
                        : normal_law_of_points(contacts, placed_contacts(), own);
   }
 
-  void read_parameters(ParameterFile &file, dealii::ParameterHandler &prm, Parameters &parameters,
-                       const std::vector<AnalysisType> &known_analyses,
-                       const std::shared_ptr<const EntryTables> &tables)
+  DeclaredParameters read_parameters(ParameterFile &file, dealii::ParameterHandler &prm,
+                                     Parameters &parameters, const std::vector<AnalysisType> &known_analyses,
+                                     const std::shared_ptr<const EntryTables> &tables)
   {
     try
     {
@@ -290,12 +290,13 @@ namespace vibrocontact
         if (!dropped.empty())
           run_log().line(dropped + " of the file is left out: an option gives its alternative.");
       }
-      file.parse(prm);
+      DeclaredParameters declared = file.parse(prm);
       if (parameters.has_contact() || parameters.scene.runs("periodic"))
         for (ContactParameters &contact : parameters.contacts.all)
           contact.read_curves(parameters.periodic.own_law());
       parameters.check();
       parameters.find_flat_faces();
+      return declared;
     }
     catch (const InputError &error)
     {
@@ -364,9 +365,9 @@ namespace vibrocontact
                            "subsection Rolling\n set Hub displacement = 0.35e-3\nend\n");
     Parameters parameters;
     dealii::ParameterHandler prm;
-    read_parameters(file, prm, parameters, known_analyses, tables);
+    const DeclaredParameters declared = read_parameters(file, prm, parameters, known_analyses, tables);
     std::string text = "# Every parameter of vibrocontact " + version() + ", for a wheel on a rail.\n\n" +
-                       print_parameters(declared_parameters(prm), ParameterStyle::documented);
+                       print_parameters(declared, ParameterStyle::documented);
     for (const BodyType &type : tables->body_types)
       if (type.name != "wheel" && type.name != "rail")
         text += commented_body(type, tables);

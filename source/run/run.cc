@@ -274,8 +274,8 @@ namespace vibrocontact
     ParameterFile file(command_line.file, read_file_on_all_ranks(command_line.file), command_line.overrides);
     Parameters parameters;
     dealii::ParameterHandler prm;
-    read_parameters(file, prm, parameters, tables.analysis_types(),
-                    std::make_shared<const EntryTables>(tables));
+    const DeclaredParameters declared = read_parameters(file, prm, parameters, tables.analysis_types(),
+                                                        std::make_shared<const EntryTables>(tables));
     const std::string folder = parameters.output.folder(command_line.output, command_line.file);
     if (command_line.resume)
       check_earlier_run(folder);
@@ -284,8 +284,8 @@ namespace vibrocontact
       if (analysis.variations && parameters.scene.runs(analysis.type.name))
         if (const std::optional<Variations> asked = analysis.variations(parameters))
           sweeps.push_back(varied_cases(*asked, parameters, file, command_line.overrides));
-    const std::vector<std::string> out_of_use = entries_out_of_use(
-        file, command_line.overrides, tables.analyses, parameters, declared_parameters(prm), sweeps);
+    const std::vector<std::string> out_of_use =
+        entries_out_of_use(file, command_line.overrides, tables.analyses, parameters, declared, sweeps);
     banner(command_line, parameters.scene);
     if (!out_of_use.empty())
       run_log().line("Entries that options have put out of use: " + quoted_list(out_of_use, "and") + ".");
@@ -293,14 +293,14 @@ namespace vibrocontact
       for (BodyParameters &body : parameters.scene.bodies)
         body.description->write_no_mesh();
 
-    const DeclaredParameters used = declared_parameters(prm).without(out_of_use);
+    const DeclaredParameters used = declared.without(out_of_use);
     const ContactGrid grid = parameters.contact_grid();
     MeshedBodies bodies;
     std::optional<MeasuredData> measured;
     try
     {
       check_reach_of_sweeps(tables.analyses, parameters);
-      bodies = meshed_bodies(parameters, declared_parameters(prm));
+      bodies = meshed_bodies(parameters, declared);
       check_transient_files(parameters, bodies);
       check_meshes(parameters, bodies, command_line.check);
       if (parameters.scene.runs("transient") && !parameters.transient.is_reduced())

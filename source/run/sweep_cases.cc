@@ -108,17 +108,17 @@ namespace vibrocontact
     SweepCase one;
     dealii::ParameterHandler prm;
     const auto read = std::make_shared<Parameters>();
+    DeclaredParameters declared;
     try
     {
       ParameterFile varied(file.file_name(), file.bytes(), options);
-      read_parameters(varied, prm, *read, parameters.scene.known_analyses, parameters.tables);
+      declared = read_parameters(varied, prm, *read, parameters.scene.known_analyses, parameters.tables);
     }
     catch (const InputError &error)
     {
       throw InputError(file.where(sweep.section, sweep.entry) + ": " + text + ": " + error.what());
     }
     one.read = read;
-    const DeclaredParameters declared = declared_parameters(prm);
     one.mark = mark_of(declared);
     if (sweep.columns.empty())
       sweep.columns = column_names(sweep.entries, declared);

@@ -72,8 +72,8 @@ namespace vibrocontact
       ParameterFile read(file.file_name(), file.bytes(), overrides);
       Parameters own;
       dealii::ParameterHandler prm;
-      read_parameters(read, prm, own, parameters.scene.known_analyses, parameters.tables);
-      const DeclaredParameters declared = declared_parameters(prm);
+      const DeclaredParameters declared =
+          read_parameters(read, prm, own, parameters.scene.known_analyses, parameters.tables);
       for (const std::string &entry : asked.entries)
       {
         const VariedEntry one = varied_entry(entry, declared, asked.section + "/Entries lists ");

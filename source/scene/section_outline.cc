@@ -213,7 +213,7 @@ namespace vibrocontact
     const std::string content{std::istreambuf_iterator<char>(bytes), std::istreambuf_iterator<char>()};
     SectionOutline outline;
     outline.tolerance *= scale;
-    // each case of a sweep reads its outlines
+    // Of outlines that were read: the cases of a sweep ask for the same ones. A file that has changed is read again.
     static std::map<std::pair<std::string, double>, std::pair<std::string, std::vector<Row>>> known;
     auto &[known_content, known_rows] = known[{file, scale}];
     if (known_rows.empty() || known_content != content)

@@ -193,7 +193,10 @@ TEST(ParameterFile, PrintedParametersAreAValidFileWithTheSameValues)
   Values values;
   ParameterHandler prm;
   declare(prm, values);
-  ParameterFile("case.prm", "subsection Rolling\nset Normal force = 5\nend").parse(prm);
+  const DeclaredParameters declared =
+      ParameterFile("case.prm", "subsection Rolling\nset Normal force = 5\nend").parse(prm);
+  EXPECT_EQ(print_parameters(declared, ParameterStyle::documented),
+            print_parameters(declared_parameters(prm), ParameterStyle::documented));
   for (const ParameterStyle style : {ParameterStyle::documented, ParameterStyle::values_only})
     EXPECT_EQ(parse(print_parameters(declared_parameters(prm), style)).force, std::vector<double>{5});
   EXPECT_SAYS(print_parameters(declared_parameters(prm), ParameterStyle::documented),

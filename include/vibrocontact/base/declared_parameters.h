@@ -23,6 +23,7 @@ namespace vibrocontact
     std::vector<std::string> sections;
 
     const Entry *find(const std::string &section, const std::string &name) const;
+    Entry *find(const std::string &section, const std::string &name);
     bool has_section(const std::string &path) const;
     /// All but the entries of these paths.
     DeclaredParameters without(const std::vector<std::string> &paths) const;

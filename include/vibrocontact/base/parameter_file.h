@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vibrocontact/base/declared_parameters.h>
 #include <vibrocontact/base/parameter_text.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -35,8 +36,9 @@ namespace vibrocontact
     std::vector<std::string> top_sections() const;
 
     /// Second pass: sets every value in the handler, which calls the actions of add_parameter().
+    /// @return what is declared there, with the values as they are then
     /// @throws InputError on an unknown section or entry and on a value that does not match
-    void parse(dealii::ParameterHandler &prm) const;
+    DeclaredParameters parse(dealii::ParameterHandler &prm) const;
 
     /// Where a value comes from: `file.prm:12, section Contact, entry "Friction coefficient"`, or
     /// `--set "Contact/Friction coefficient"`, or `file.prm, section ..., entry ... (not set, default)`.

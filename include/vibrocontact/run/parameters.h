@@ -177,10 +177,11 @@ namespace vibrocontact
   /// Both passes over a file and all checks that need no mesh. Says in the log which alternative an option
   /// replaced. The handler refers to the members of @p parameters afterwards.
   /// @param known_analyses, tables what the program has
+  /// @return all entries with their values
   /// @throws InputError with file, line, section and entry
-  void read_parameters(ParameterFile &file, dealii::ParameterHandler &prm, Parameters &parameters,
-                       const std::vector<AnalysisType> &known_analyses,
-                       const std::shared_ptr<const EntryTables> &tables);
+  DeclaredParameters read_parameters(ParameterFile &file, dealii::ParameterHandler &prm,
+                                     Parameters &parameters, const std::vector<AnalysisType> &known_analyses,
+                                     const std::shared_ptr<const EntryTables> &tables);
 
   /// Every parameter as a valid file: a wheel on a rail; sections of the other kinds of bodies as comments.
   std::string all_parameters(const std::vector<AnalysisType> &known_analyses,
