@@ -4,6 +4,7 @@
 #include <vibrocontact/base/command_line.h>
 #include <vibrocontact/base/exceptions.h>
 #include <vibrocontact/base/folder_lock.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/table.h>
 #include <vibrocontact/output/run_record.h>
 
@@ -29,6 +30,15 @@ namespace
     return read_command_line(words.size(), words.data());
   }
 } // namespace
+
+TEST(NumberText, PercentagesAboveAHundredHaveNoExponent)
+{
+  EXPECT_EQ(percent_text(0.00123), "0.12 %");
+  EXPECT_EQ(percent_text(0.994), "99 %");
+  EXPECT_EQ(percent_text(0.996), "100 %");
+  EXPECT_EQ(percent_text(-1.34), "-134 %");
+  EXPECT_EQ(percent_text(1e5), "1e+07 %");
+}
 
 TEST(Table, NumbersKeepSeventeenDigitsAndLabelsTheirCommas)
 {

@@ -14,11 +14,12 @@ namespace vibrocontact
     return text;
   }
 
-  /// A share in percent for a message, two significant digits.
+  /// A share in percent for a message, two significant digits; from 100 to a million all digits before the point.
   inline std::string percent_text(const double share)
   {
+    const double size = std::abs(100 * share);
     char text[32];
-    std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+    std::snprintf(text, sizeof text, size >= 99.5 && size < 1e6 ? "%.0f %%" : "%.2g %%", 100 * share);
     return text;
   }
 

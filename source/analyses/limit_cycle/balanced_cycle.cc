@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/limit_cycle/balanced_cycle.h>
 #include <vibrocontact/analyses/limit_cycle/cycle_balance.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
 #include <vibrocontact/base/memory.h>
 #include <vibrocontact/base/number_text.h>
 #include <vibrocontact/base/run_communicator.h>
@@ -79,6 +80,8 @@ namespace vibrocontact
         std::vector<double> x = balance.unknowns(by_steps.forces, by_steps.approaches, cycle.period);
         NewtonSettings settings;
         settings.max_iterations = parameters.max_newton_iterations;
+        Progress progress("harmonic balance with " + std::to_string(n_harmonics) + " harmonics", 1);
+        balance.progress = &progress;
         const NewtonResult found = solve_by_newton(balance, settings, x);
         one.converged = found.converged;
         if (found.is_evaluated())

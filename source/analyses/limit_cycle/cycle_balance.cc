@@ -1,6 +1,7 @@
 #include <vibrocontact/analyses/limit_cycle/cycle_balance.h>
 #include <vibrocontact/base/dense_operations.h>
 #include <vibrocontact/base/exceptions.h>
+#include <vibrocontact/base/log.h>
 #include <vibrocontact/contact/point_rows.h>
 #include <vibrocontact/numerics/time_basis.h>
 
@@ -304,6 +305,8 @@ namespace vibrocontact
   void CycleBalance::vmult(DenseVector &to, const DenseVector &from) const
   {
     ++n_products;
+    if (progress)
+      progress->advance(0, [this] { return std::to_string(n_products) + " products"; });
     const DenseMatrix forces = forces_of(from), y = response_to(from, forces),
                       left = linearised(sampled(forces), sampled(y), sampled(seen_slips(y, forces)));
     to.reinit(from.size());

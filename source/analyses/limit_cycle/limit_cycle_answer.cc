@@ -133,13 +133,14 @@ namespace vibrocontact
       if (is_given(signal, "level_dB"))
         line += text(" (%.1f dB)", number(signal, "level_dB"));
       if (is_given(one, "estimated_error_amplitude"))
-        line +=
-            text(", errors of the steps %.2g %% and %.2g %%", 100 * number(one, "estimated_error_frequency"),
-                 100 * std::max(number(one, "estimated_error_amplitude"),
-                                number(one, "estimated_error_first_harmonic")));
+        line += ", errors of the steps " + percent_text(number(one, "estimated_error_frequency")) + " and " +
+                percent_text(std::max(number(one, "estimated_error_amplitude"),
+                                      number(one, "estimated_error_first_harmonic")));
       if (word(signal, "name") != word(list(one, "signals").at(0), "name"))
         line += text(", normal force +-%.3g N", number(list(one, "signals").at(0), "amplitude"));
-      line += text(", some points stick for %.0f %% of the time", 100 * number(one, "time_with_stick_share"));
+      const double stick = number(one, "time_with_stick_share");
+      line +=
+          stick > 0 ? ", some points stick for " + percent_text(stick) + " of the time" : ", no point sticks";
       if (one.contains("stability"))
         line += ", " + stability_answer(one);
       if (one.contains("same_as"))

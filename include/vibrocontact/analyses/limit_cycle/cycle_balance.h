@@ -13,6 +13,8 @@
 
 namespace vibrocontact
 {
+  class Progress;
+
   /// A limit cycle by harmonic balance of its contact, a second way beside the steps of CycleMap. Unknown are the contact forces
   /// R of the points as sums of harmonics, with a normal force that is given the approach a, and the frequency w:
   ///
@@ -58,6 +60,8 @@ namespace vibrocontact
     /// why the last evaluation or linear system failed; empty: it did not
     std::string failure;
     mutable unsigned long n_products = 0;
+    /// that says how many products there were; null: nobody hears of them
+    Progress *progress = nullptr;
 
   private:
     /// A sample of the projections and its derivatives.
