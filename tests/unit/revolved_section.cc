@@ -175,7 +175,7 @@ TEST(RevolvedSection, ComplianceOverWaves)
     parameters.n_harmonics = n_harmonics;
     return wheel(parameters, &grid).statics().compliance;
   };
-  const DenseMatrix finest = compliance(80);
+  const DenseMatrix finest = compliance(160);
   const unsigned int n = grid.n_points();
   const std::array<std::string, 3> names = {{"z", "x", "y"}};
   for (const unsigned int n_harmonics : {20, 40})
