@@ -1,4 +1,5 @@
 #include <vibrocontact/analyses/limit_cycle/limit_cycle_answer.h>
+#include <vibrocontact/base/number_text.h>
 #include <vibrocontact/output/answer_parts.h>
 
 #include <algorithm>
